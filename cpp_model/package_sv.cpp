@@ -246,6 +246,13 @@ constexpr const char* kBundles = R"(
     axi_reads_answer_t read;
   } axi_subordinate_t;
 
+  typedef struct packed {  // what the manager waits for, of reads or of writes
+    logic [AddressW-1:0] line;  // of one that is not taken or not answered
+    logic located;  // it is known
+    logic moves;  // something is taken or answered in this cycle
+    logic waits;  // something is not
+  } memory_wait_t;
+
   // AXI4-Lite of the registers, 32 bits, without the protection bits, which nothing looks at.
   typedef struct packed {
     logic [ControlAddressW-1:0] aw_addr;  // byte; its two low bits do not count

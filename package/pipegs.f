@@ -14,6 +14,7 @@ rtl/control/pipegs_control_registers.sv
 rtl/control/pipegs_control_restart.sv
 rtl/control/pipegs_control_shadow.sv
 rtl/control/pipegs_control_slot.sv
+rtl/control/pipegs_control_watch.sv
 rtl/dopu/dopu_activity.sv
 rtl/dopu/dopu_axis.sv
 rtl/dopu/dopu_cells.sv

@@ -2,8 +2,9 @@
 // Printed by package/machine.py: signals for pipegs_axi and its instance, to be put into a module and edited.
   logic         aclk;           // input  the only clock; units inside have gated ones of their own
   logic         aresetn;        // input  low: reset; falls and rises at any time
-  logic         test_en;        // input  1: every gated clock runs, and aresetn goes straight to the flip-flops (scan
-                                //        test); tie to 0
+  logic         test_mode;      // input  1, and it stays so for the scan test: aresetn goes straight to the reset of
+                                //        every flip-flop, the core's too; tie to 0
+  logic         scan_enable;    // input  1 while patterns shift: every gated clock runs; tie to 0
   logic         irq;            // output level, a register: high while a bit of IRQ_STATUS is set that IRQ_ENABLE has
   logic [11:0]  s_axi_awaddr;   // input  byte; the two low bits do not count. The system decodes the bits above: 4 KiB
                                 //        of registers
@@ -26,7 +27,7 @@
   logic [1:0]   s_axi_rresp;    // output OKAY or SLVERR
   logic         s_axi_rvalid;   // output an answer comes two cycles behind its request
   logic         s_axi_rready;   // input  AW and W come in any order
-  logic [8:0]   m_axi_awid;     // output 0
+  logic [5:0]   m_axi_awid;     // output 0
   logic [39:0]  m_axi_awaddr;   // output a multiple of 64
   logic [7:0]   m_axi_awlen;    // output one line: 512 / D - 1
   logic [2:0]   m_axi_awsize;   // output all of D: 4, 5 or 6
@@ -40,11 +41,11 @@
   logic         m_axi_wlast;    // output the last beat of a line
   logic         m_axi_wvalid;   // output a line's AW and first W show in the same cycle; either may be taken first
   logic         m_axi_wready;   // input  may come before what they answer, or behind
-  logic [8:0]   m_axi_bid;      // input  not looked at
+  logic [5:0]   m_axi_bid;      // input  not looked at
   logic [1:0]   m_axi_bresp;    // input  OKAY and EXOKAY are good, SLVERR and DECERR end the frame
   logic         m_axi_bvalid;   // input  rlast is needed
   logic         m_axi_bready;   // output 1 while a write is unanswered
-  logic [8:0]   m_axi_arid;     // output {epoch, tag}: all 9 bits come back in rid
+  logic [5:0]   m_axi_arid;     // output {epoch, tag}: all I bits come back in rid
   logic [39:0]  m_axi_araddr;   // output a multiple of 64
   logic [7:0]   m_axi_arlen;    // output 1 to 8 lines of 64 bytes: n * 512 / D - 1, within 512 aligned bytes
   logic [2:0]   m_axi_arsize;   // output all of D: 4, 5 or 6
@@ -53,7 +54,7 @@
   logic [2:0]   m_axi_arprot;   // output 3'b000: data, secure, unprivileged
   logic         m_axi_arvalid;  // output a line's AW and first W show in the same cycle; either may be taken first
   logic         m_axi_arready;  // input  may come before what they answer, or behind
-  logic [8:0]   m_axi_rid;      // input  answers of different IDs may come in any order, beats interleaved
+  logic [5:0]   m_axi_rid;      // input  answers of different IDs may come in any order, beats interleaved
   logic [511:0] m_axi_rdata;    // input  the byte of address a in bits 8 * (a mod D/8) and up
   logic [1:0]   m_axi_rresp;    // input  OKAY and EXOKAY are good, SLVERR and DECERR end the frame
   logic         m_axi_rlast;    // input  rlast is needed
@@ -66,7 +67,8 @@
   ) u_pipegs (
     .aclk(aclk),
     .aresetn(aresetn),
-    .test_en(test_en),
+    .test_mode(test_mode),
+    .scan_enable(scan_enable),
     .irq(irq),
     .s_axi_awaddr(s_axi_awaddr),
     .s_axi_awprot(s_axi_awprot),

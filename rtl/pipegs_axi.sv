@@ -20,7 +20,8 @@ module pipegs_axi #(
 ) (
   input  logic                aclk,
   input  logic                aresetn,
-  input  logic                test_en,    // every clock runs: for the test of the silicon, else 0
+  input  logic                test_mode,    // scan test: aresetn alone resets every flip-flop; else 0
+  input  logic                scan_enable,  // patterns shift: every clock runs; else 0
   output logic                irq,        // level
 
   input  logic [ControlW-1:0] s_axi_awaddr,
@@ -78,6 +79,13 @@ module pipegs_axi #(
   output logic                m_axi_rready
 );
 
+  if (AddrW < 40) begin : gen_narrow
+    $error("pipegs_axi: AddrW is below 40, and addresses would wrap");
+  end
+  if (Base[11:0] != '0) begin : gen_unaligned
+    $error("pipegs_axi: Base is not a multiple of 4096");
+  end
+
   localparam int unsigned MemoryW = pipegs_pkg::MemoryW;
   localparam int unsigned LineW   = pipegs_pkg::AddressW;
   localparam int unsigned WritesW = $clog2(pipegs_pkg::BusWrites + 1);
@@ -94,8 +102,9 @@ module pipegs_axi #(
   logic [WritesW-1:0]           writes;
   logic [3:0]                   error;
   logic [LineW-1:0]             error_line;
+  pipegs_pkg::memory_wait_t     read_wait, write_wait;
 
-  pipegs_reset_sync u_reset (.clk_i(aclk), .rst_ni(aresetn), .test_en_i(test_en), .rst_no(rst_n));
+  pipegs_reset_sync u_reset (.clk_i(aclk), .rst_ni(aresetn), .test_mode_i(test_mode), .rst_no(rst_n));
 
   // --- the ports are the fields of the channels ----------------------------------------------------------------------
   assign control.aw_addr        = s_axi_awaddr;
@@ -150,11 +159,12 @@ module pipegs_axi #(
   assign memory.read.r_valid    = m_axi_rvalid;
 
   pipegs_host u_host (
-    .clk_i(aclk), .rst_ni(rst_n), .test_en_i(test_en), .s_axi_i(control), .s_axi_o(answer),
+    .clk_i(aclk), .rst_ni(rst_n), .test_mode_i(test_mode), .scan_en_i(scan_enable), .s_axi_i(control),
+    .s_axi_o(answer),
     .irq_o(irq), .mem_valid_o(valid), .mem_ready_i(ready), .mem_request_o(request), .mem_data_o(data),
     .mem_rsp_valid_i(rsp_valid), .mem_rsp_tag_i(rsp_tag), .mem_rsp_data_i(rsp_data), .mem_epoch_o(epoch),
     .mem_drained_i(drained), .mem_writes_i(writes), .mem_answered_i(answered), .mem_error_i(error),
-    .mem_error_line_i(error_line)
+    .mem_error_line_i(error_line), .mem_read_wait_i(read_wait), .mem_write_wait_i(write_wait)
   );
 
   pipegs_axi_manager #(.AddrW(AddrW)) u_manager (
@@ -162,6 +172,7 @@ module pipegs_axi #(
     .mem_valid_i(valid), .mem_ready_o(ready), .mem_request_i(request), .mem_data_i(data),
     .rsp_valid_o(rsp_valid), .rsp_tag_o(rsp_tag), .rsp_data_o(rsp_data),
     .error_o(error), .error_line_o(error_line), .writes_o(writes), .answered_o(answered),
+    .read_wait_o(read_wait), .write_wait_o(write_wait),
     .m_axi_o(bus), .m_axi_i(memory)
   );
 

@@ -18,7 +18,7 @@ module pipegs_front #(
 ) (
   input  logic                             clk_i,
   input  logic                             rst_ni,
-  input  logic                             test_en_i,
+  input  logic                             scan_en_i,
   input  pipegs_pkg::frame_t               frame_i,
   input  pipegs_pkg::areas_t               areas_i,
   input  logic                             restart_i,
@@ -85,7 +85,7 @@ module pipegs_front #(
   assign {spill_line, spill_ready} = spill_i;
   assign store_o = {store_line, store_address, store_write};
 
-  pipegs_clock_gate u_dopu_gate (.clk_i, .rst_ni, .test_en_i, .enable_i(dopu_active), .clk_o(dopu_clk));
+  pipegs_clock_gate u_dopu_gate (.clk_i, .rst_ni, .scan_en_i, .enable_i(dopu_active), .clk_o(dopu_clk));
   pipegs_dopu u_dopu (
     .clk_i(dopu_clk), .rst_ni, .start_i(restart_i), .frame_i, .areas_i, .busy_o(dopu_busy),
     .mem_valid_o(node_valid), .mem_ready_i(node_ready), .mem_address_o(node_address), .mem_lines_o(node_lines),
@@ -97,7 +97,7 @@ module pipegs_front #(
 
   for (genvar k = 0; k < Units; k += 1) begin : gen_unit
     logic pu_clk;
-    pipegs_clock_gate u_pu_gate (.clk_i, .rst_ni, .test_en_i, .enable_i(pu_active[k]), .clk_o(pu_clk));
+    pipegs_clock_gate u_pu_gate (.clk_i, .rst_ni, .scan_en_i, .enable_i(pu_active[k]), .clk_o(pu_clk));
     pipegs_pu #(.Front(k < PuFronts)) u_pu (
       .clk_i(pu_clk), .rst_ni, .rotation_i(frame_i.camera.rotation), .quaternion_i(frame_i.camera.quaternion),
       .lens_i(frame_i.lens), .tables_i(frame_i.tables), .areas_i, .windows_i(frame_i.raster.windows),

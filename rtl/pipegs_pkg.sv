@@ -254,7 +254,7 @@ package pipegs_pkg;
   localparam int unsigned MemoryW        = 512;  // a line of external memory
   localparam int unsigned HalvesW        = 2;  // halves of a line of external memory, one bit each
   localparam int unsigned StrideW        = 12;  // lines from one row of pixels to the next, in raster order
-  localparam int unsigned TagW           = 8;  // who asked: the requester's port in the low bits
+  localparam int unsigned TagW           = 5;  // who asked: the requester's port
   // a pixel stops before its transmittance falls below 1/TCut: ceil(2^(TW-1) / TCut)
   localparam int unsigned TStop          = 27;
   // lines of a read, less one: a request reads up to eight lines of one aligned group
@@ -272,6 +272,8 @@ package pipegs_pkg;
   localparam int unsigned BusReads       = 256;  // reads that may be unanswered on the bus
   localparam int unsigned BusWrites      = 64;  // writes that may be unanswered on the bus
   localparam int unsigned BusFenced      = 64;  // reads that may wait for earlier writes
+  // cycles for which the core alone is in reset, and again until it may begin
+  localparam int unsigned ResetCycles    = 8;
   localparam int unsigned DescendResults = 8;  // results of the DOPU's test that may wait, each level (order 0 and 1)
   // ranges of nodes that the DOPU has asked for, each level (order 0 and 1)
   localparam int unsigned DescendJobs    = 8;
@@ -439,6 +441,7 @@ package pipegs_pkg;
   localparam int unsigned SpanBits = 68;
 
   typedef struct packed {
+    logic [AddressW-1:0] picture;
     logic [AddressW-1:0] overflow;  // any number: area_lines, area_place and area_first divide it
     logic [AddressW-1:0] pixels;
     logic [AddressW-1:0] colors;
@@ -447,7 +450,7 @@ package pipegs_pkg;
     logic [AddressW-1:0] groups;
     logic [AddressW-1:0] cells;
   } areas_t;
-  localparam int unsigned AreasBits = 238;
+  localparam int unsigned AreasBits = 272;
 
   typedef struct packed {
     logic [WindowW-1:0] last_y;  // row of the last
@@ -1015,7 +1018,7 @@ package pipegs_pkg;
     logic [AddressW-1:0] address;  // line
     logic write;
   } memory_request_t;
-  localparam int unsigned MemoryRequestBits = 48;
+  localparam int unsigned MemoryRequestBits = 45;
 
   // Stages of a PU on pu_phases: see cpp_model/pu/stages.def.
   localparam int unsigned ProjectDepth   = 4;
@@ -1091,6 +1094,8 @@ package pipegs_pkg;
   localparam logic [ControlAddressW-1:0] ControlIrqEnableAt = 12'h02c;
   localparam logic [ControlAddressW-1:0] ControlFramesStartedAt = 12'h030;
   localparam logic [ControlAddressW-1:0] ControlFramesDoneAt = 12'h034;
+  localparam logic [ControlAddressW-1:0] ControlBusTimeoutAt = 12'h038;
+  localparam logic [31:0] ControlBusTimeoutReset = 32'h01000000;
 
   typedef struct packed {  // what the machine is to do
     logic [29:0] gap_0;
@@ -1098,14 +1103,17 @@ package pipegs_pkg;
     logic start;
   } control_control_t;
   typedef struct packed {  // what the machine does
-    logic [28:0] gap_0;
+    logic [27:0] gap_0;
+    logic silent;
     logic failed;
     logic queued;
     logic busy;
   } control_status_t;
   typedef struct packed {  // what went wrong since it was cleared
-    logic [24:0] gap_0;
+    logic [22:0] gap_0;
     logic start_full;
+    logic write_timeout;
+    logic read_timeout;
     logic bad_scene;
     logic area_full;
     logic write_decerr;
@@ -1113,10 +1121,11 @@ package pipegs_pkg;
     logic read_decerr;
     logic read_slverr;
   } control_error_t;
-  typedef struct packed {  // the first error with an address, until ERROR 5:0 is clear
+  typedef struct packed {  // the first error that gave frames up, until ERROR 7:0 is clear
     logic [20:0] gap_1;
     logic [2:0] cause;
-    logic [6:0] gap_0;
+    logic [5:0] gap_0;
+    logic located;
     logic valid;
   } control_error_first_t;
   typedef struct packed {  // where the first error happened, low word
@@ -1143,6 +1152,9 @@ package pipegs_pkg;
   typedef struct packed {  // frames that are complete in memory
     logic [31:0] count;
   } control_frames_done_t;
+  typedef struct packed {  // how long memory may be silent
+    logic [31:0] cycles;
+  } control_bus_timeout_t;
 
   // Registers that the configuration fixes: {offset of 16 bits, value of 32}.
   localparam int unsigned ControlConstants = 14;
@@ -1158,8 +1170,8 @@ package pipegs_pkg;
     48'h0084_00030800,  // CONFIG_POINT
     48'h0080_10044004,  // CONFIG_COUNTS
     48'h000c_957c6da2,  // CONFIG_HASH
-    48'h0008_8b93182f,  // LAYOUT
-    48'h0004_00010001,  // VERSION
+    48'h0008_880a33ce,  // LAYOUT
+    48'h0004_00020000,  // VERSION
     48'h0000_47504950  // ID
   };
 
@@ -1173,12 +1185,13 @@ package pipegs_pkg;
   // What a start queues: frame_t, areas_t and picture_t in this order, the first one lowest. A slot is {byte
   // offset of its low word (16 bits), lowest bit of its value in what is queued (16), width of the value (8),
   // bit of the slot at which it begins (8), 1 if it is signed (8)}.
-  localparam int unsigned ControlShadowBits = 1503;
-  localparam int unsigned ControlSlots = 58;
+  localparam int unsigned ControlShadowBits = 1537;
+  localparam int unsigned ControlSlots = 59;
   localparam logic [ControlSlots*56-1:0] ControlSlotTable = {
-    56'h0490_05d3_0c_06_00,  // stride
-    56'h0488_05b1_22_06_00,  // base
-    56'h0480_05b0_01_00_00,  // format
+    56'h0490_05f5_0c_06_00,  // stride
+    56'h0488_05d3_22_06_00,  // base
+    56'h0480_05d2_01_00_00,  // format
+    56'h0438_05b0_22_06_00,  // picture
     56'h0430_058e_22_06_00,  // overflow
     56'h0428_056c_22_06_00,  // pixels
     56'h0420_054a_22_06_00,  // colors
@@ -1420,6 +1433,13 @@ package pipegs_pkg;
     axi_writes_answer_t write;
     axi_reads_answer_t read;
   } axi_subordinate_t;
+
+  typedef struct packed {  // what the manager waits for, of reads or of writes
+    logic [AddressW-1:0] line;  // of one that is not taken or not answered
+    logic located;  // it is known
+    logic moves;  // something is taken or answered in this cycle
+    logic waits;  // something is not
+  } memory_wait_t;
 
   // AXI4-Lite of the registers, 32 bits, without the protection bits, which nothing looks at.
   typedef struct packed {

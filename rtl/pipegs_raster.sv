@@ -15,7 +15,7 @@ module pipegs_raster #(
 ) (
   input  logic                             clk_i,
   input  logic                             rst_ni,
-  input  logic                             test_en_i,
+  input  logic                             scan_en_i,
   input  pipegs_pkg::raster_t              raster_i,
   input  pipegs_pkg::picture_t             picture_i,   // its base is that of the pixels in either format
   input  pipegs_pkg::span_t                overflow_i,  // the overflow area
@@ -108,7 +108,7 @@ module pipegs_raster #(
     end
 
     logic ru_clk;
-    pipegs_clock_gate u_ru_gate (.clk_i, .rst_ni, .test_en_i, .enable_i(ru_active[k]), .clk_o(ru_clk));
+    pipegs_clock_gate u_ru_gate (.clk_i, .rst_ni, .scan_en_i, .enable_i(ru_active[k]), .clk_o(ru_clk));
     pipegs_ru u_ru (
       .clk_i(ru_clk), .rst_ni, .raster_i, .picture_i, .overflow_i, .unit_i(pipegs_pkg::UnitW'(k)), .restart_i,
       .in_valid_i(splat_valid[k]), .in_ready_o(splat_ready[k]), .in_i(splat),
@@ -147,7 +147,7 @@ module pipegs_raster #(
         assign read_ready[j*Units+k]   = store_read_ready[j];
         assign answer_valid[j*Units+k] = store_answer_valid[j];
       end
-      pipegs_clock_gate u_store_gate (.clk_i, .rst_ni, .test_en_i, .enable_i(store_active), .clk_o(store_clk));
+      pipegs_clock_gate u_store_gate (.clk_i, .rst_ni, .scan_en_i, .enable_i(store_active), .clk_o(store_clk));
       pipegs_alpha_store u_store (
         .clk_i(store_clk), .rst_ni, .write_i(store_i.write[k]),
         .address_i(store_i.address[k*AlphaAddressW +: AlphaAddressW]), .line_i(store_i.line[k*LineW +: LineW]),

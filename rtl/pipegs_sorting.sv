@@ -17,7 +17,7 @@ module pipegs_sorting #(
 ) (
   input  logic                             clk_i,
   input  logic                             rst_ni,
-  input  logic                             test_en_i,
+  input  logic                             scan_en_i,
   input  pipegs_pkg::windows_t             windows_i,
   input  pipegs_pkg::span_t                overflow_i,  // the overflow area
   input  logic [pipegs_pkg::WorldW-1:0]    near_plane_i,
@@ -68,7 +68,7 @@ module pipegs_sorting #(
     pipegs_pkg::splat_t  listed;
     assign lists_o = {list_data, list_lines, list_address, list_write, list_valid};
     assign {list_line, list_ready} = lists_i;
-    pipegs_clock_gate u_lists_gate (.clk_i, .rst_ni, .test_en_i, .enable_i(lists_active), .clk_o(lists_clk));
+    pipegs_clock_gate u_lists_gate (.clk_i, .rst_ni, .scan_en_i, .enable_i(lists_active), .clk_o(lists_clk));
     pipegs_lists u_lists (
       .clk_i(lists_clk), .rst_ni, .windows_i, .overflow_i, .restart_i,
       .made_valid_i, .made_ready_o, .made_i, .number_i,
@@ -108,7 +108,7 @@ module pipegs_sorting #(
 
   for (genvar k = 0; k < Units; k += 1) begin : gen_unit
     logic su_clk;
-    pipegs_clock_gate u_su_gate (.clk_i, .rst_ni, .test_en_i, .enable_i(su_active[k]), .clk_o(su_clk));
+    pipegs_clock_gate u_su_gate (.clk_i, .rst_ni, .scan_en_i, .enable_i(su_active[k]), .clk_o(su_clk));
     pipegs_su u_su (
       .clk_i(su_clk), .rst_ni, .overflow_i, .unit_i(pipegs_pkg::UnitW'(k)), .octave_i(octave),
       .in_valid_i(splat_valid[k]), .in_ready_o(splat_ready[k]), .in_i(splat[k*SplatBits +: SplatBits]),

@@ -22,7 +22,7 @@ module pipegs_top #(
 ) (
   input  logic                                 clk_i,
   input  logic                                 rst_ni,
-  input  logic                                 test_en_i,  // every clock runs: for the test of the silicon, else 0
+  input  logic                                 scan_en_i,  // every clock runs: scan test of the silicon, else 0
 
   input  logic                                 frame_valid_i,
   output logic                                 frame_ready_o,
@@ -70,6 +70,7 @@ module pipegs_top #(
   logic [Units-1:0]                         layer_done, window_done, overflow_sort;
   logic [Units*(pipegs_pkg::RegionW+1)-1:0] overflow_alpha;
   logic                                     alphas_full, sorting_full, scene_bad, stop;
+  logic [pipegs_pkg::AddressW-1:0]          pixels_room;  // lines
   logic [pipegs_pkg::AddressW-1:0]          alphas_full_line, sorting_full_line, scene_bad_line;
   logic [PerfUnits*2-1:0]                   perf_state;
 
@@ -123,7 +124,7 @@ module pipegs_top #(
   end
 
   pipegs_front u_front (
-    .clk_i, .rst_ni, .test_en_i, .frame_i(front_q), .areas_i(areas_q), .restart_i(front_restart),
+    .clk_i, .rst_ni, .scan_en_i, .frame_i(front_q), .areas_i(areas_q), .restart_i(front_restart),
     .reads_o(reads), .reads_i(reads_answer), .spill_o(spill), .spill_i(spill_answer), .line_i(line),
     .progress_i(heard), .line_free_i(line_free), .layer_free_i(layer_free), .store_o(store),
     .splat_valid_o(splat_valid), .splat_ready_i(splat_ready), .splat_o(splat), .number_o(number),
@@ -133,7 +134,7 @@ module pipegs_top #(
   );
 
   pipegs_sorting u_sorting (
-    .clk_i, .rst_ni, .test_en_i, .windows_i(front_q.raster.windows), .overflow_i(overflow),
+    .clk_i, .rst_ni, .scan_en_i, .windows_i(front_q.raster.windows), .overflow_i(overflow),
     .near_plane_i(front_q.lens.near_plane), .restart_i(front_restart),
     .made_valid_i(splat_valid), .made_ready_o(splat_ready), .made_i(splat), .number_i(number),
     .sorted_valid_o(sorted_valid), .sorted_ready_i(sorted_ready), .sorted_o(sorted),
@@ -144,7 +145,7 @@ module pipegs_top #(
   );
 
   pipegs_raster u_raster (
-    .clk_i, .rst_ni, .test_en_i, .raster_i(back_raster_q), .picture_i(back_picture_q),
+    .clk_i, .rst_ni, .scan_en_i, .raster_i(back_raster_q), .picture_i(back_picture_q),
     .overflow_i(overflow), .restart_i(back_restart),
     .sorted_valid_i(sorted_valid && !hold), .sorted_ready_o(raster_ready), .sorted_i(sorted), .store_i(store),
     .memory_o(pixels), .halves_o(halves), .memory_i(pixels_answer), .line_i(line),
@@ -160,10 +161,12 @@ module pipegs_top #(
     .mem_valid_o, .mem_ready_i, .mem_request_o, .mem_data_o, .mem_rsp_valid_i, .mem_rsp_tag_i, .mem_rsp_data_i
   );
 
+  assign pixels_room = front_picture_q.format ? areas_q.picture : areas_q.pixels;
   pipegs_errors u_errors (
     .clk_i, .rst_ni, .restart_i(front_restart), .raster_i(front_q.raster), .by_windows_i(!front_picture_q.format),
-    .pixels_i({areas_q.pixels, front_q.tables.pixels}), .full_i({sorting_full, alphas_full}),
-    .full_line_i({sorting_full_line, alphas_full_line}), .bad_i(scene_bad), .bad_line_i(scene_bad_line),
+    .stride_i(front_picture_q.stride), .pixels_i({pixels_room, back_picture.base}),
+    .full_i({sorting_full, alphas_full}), .full_line_i({sorting_full_line, alphas_full_line}),
+    .bad_i(scene_bad), .bad_line_i(scene_bad_line),
     .error_o, .error_line_o, .stop_o(stop)
   );
 

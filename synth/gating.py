@@ -132,7 +132,7 @@ def gate_clocks(folder, name, ports):
         (bit for body in module["netnames"].values() for bit in body["bits"] if isinstance(bit, int)), default=1
     )
     for number, (clock, enable, cells) in enumerate(groups):
-        pins = {"clk_i": [clock], "rst_ni": ["1"], "test_en_i": ["0"], "enable_i": [enable], "clk_o": [fresh + number]}
+        pins = {"clk_i": [clock], "rst_ni": ["1"], "scan_en_i": ["0"], "enable_i": [enable], "clk_o": [fresh + number]}
         module["cells"][f"gate_{number}"] = {
             "hide_name": 0,
             "type": rtlil.GATE,

@@ -30,7 +30,7 @@ uint64_t pixel_area(const Config& config, uint64_t width, uint64_t height) {
   return windows * side * side / static_cast<uint64_t>(config.memory_w() / config.pixel_w);
 }
 
-Areas frame_areas(const Config& config, const PackedScene& scene, const Frame& frame) {
+Areas frame_areas(const Config& config, const PackedScene& scene, const Frame& frame, const Picture& picture) {
   const MemoryLayout& at = scene.layout;
   Areas areas;
   areas.cells = at.groups - at.cells;
@@ -40,6 +40,7 @@ Areas frame_areas(const Config& config, const PackedScene& scene, const Frame& f
   areas.colors = at.pixels - at.colors;
   areas.pixels = pixel_area(config, frame.raster.width, frame.raster.height);
   areas.overflow = overflow_area(config, scene.gaussians.size(), frame_windows(frame));
+  areas.picture = picture.format != 0 ? picture.stride * frame.raster.height : 0;
   return areas;
 }
 

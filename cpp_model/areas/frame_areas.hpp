@@ -9,11 +9,12 @@
 
 #include "cpp_model/areas/areas.hpp"
 #include "cpp_model/pack/pack.hpp"
+#include "cpp_model/ru/ru_raster.hpp"
 
 namespace pipegs {
 
 // Of the machine `config`, which may differ from the scene's in what does not change the scene.
-Areas frame_areas(const Config& config, const PackedScene& scene, const Frame& frame);
+Areas frame_areas(const Config& config, const PackedScene& scene, const Frame& frame, const Picture& picture = {});
 // The overflow area alone, for a scene of so many slots.
 uint64_t overflow_area(const Config& config, uint64_t slots, uint64_t windows);
 

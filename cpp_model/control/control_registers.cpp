@@ -29,7 +29,7 @@ void ControlRegisters::reset() {
   }
   shadow_.assign(slots_.size(), 0);
   high_ = 0;
-  queued_ = abort_ = irq_ = aw_full_ = w_full_ = ar_full_ = b_full_ = r_full_ = false;
+  queued_ = abort_ = located_ = irq_ = aw_full_ = w_full_ = ar_full_ = b_full_ = r_full_ = false;
 }
 
 uint32_t ControlRegisters::bit(const std::string& name, const std::string& field_name) const {
@@ -50,7 +50,8 @@ ControlRegisters::Answer ControlRegisters::read(int offset, const ControlInputs&
   if (const auto found = registers_.find(offset); found != registers_.end()) {
     if (found->second->name == "STATUS") {
       return {false, (in.busy ? bit("STATUS", "busy") : 0) | (queued_ ? bit("STATUS", "queued") : 0) |
-                         (value("ERROR") != 0 ? bit("STATUS", "failed") : 0)};
+                         (value("ERROR") != 0 ? bit("STATUS", "failed") : 0) |
+                         (in.silent ? bit("STATUS", "silent") : 0)};
     }
     return {false, values_.at(offset)};
   }
@@ -59,7 +60,7 @@ ControlRegisters::Answer ControlRegisters::read(int offset, const ControlInputs&
   }
   size_t counter = 0;
   for (const Slot& slot : map.block("counters").slots) {
-    const uint64_t count = slot.width > 0 ? in.counters.at(counter++) : 0;
+    const uint64_t shown = slot.width > 0 ? in.counters.at(counter++) : 0, count = in.apart ? 0 : shown;
     if ((offset & ~4) != slot.offset) continue;
     if (offset & 4) return {false, high_};
     high_ = static_cast<uint32_t>(count >> 32);
@@ -117,15 +118,16 @@ void ControlRegisters::step(const ControlInputs& in) {
   const uint32_t caused = in.errors | (starts && was_queued ? bit("ERROR", "start_full") : 0);
   if (in.errors != 0 && (value("ERROR") & ((1u << kErrorCauses) - 1)) == 0) {
     const int cause = __builtin_ctz(in.errors);
-    const uint64_t address = in.error_lines.at(static_cast<size_t>(cause)) * 64;
+    located_ = (in.located >> cause & 1) != 0;
+    const uint64_t address = located_ ? in.error_lines.at(static_cast<size_t>(cause)) * 64 : 0;
     value("ERROR_FIRST") = static_cast<uint32_t>(cause) << 8;
     value("ERROR_ADDRESS_LOW") = static_cast<uint32_t>(address);
     value("ERROR_ADDRESS_HIGH") = static_cast<uint32_t>(address >> 32);
   }
   value("ERROR") |= caused;
   const bool held = (value("ERROR") & ((1u << kErrorCauses) - 1)) != 0;
-  value("ERROR_FIRST") =
-      (value("ERROR_FIRST") & ~bit("ERROR_FIRST", "valid")) | (held ? bit("ERROR_FIRST", "valid") : 0);
+  const uint32_t valid = bit("ERROR_FIRST", "valid"), located = bit("ERROR_FIRST", "located");
+  value("ERROR_FIRST") = (value("ERROR_FIRST") & ~(valid | located)) | (held ? valid | (located_ ? located : 0) : 0);
   if (in.frame_done) value("IRQ_STATUS") |= bit("IRQ_STATUS", "frame_done");
   if (was_queued && (taken || aborts)) value("IRQ_STATUS") |= bit("IRQ_STATUS", "queue_free");
   if (caused != 0) value("IRQ_STATUS") |= bit("IRQ_STATUS", "error");
@@ -158,7 +160,8 @@ ControlOutputs ControlRegisters::outputs() const {
           .irq = irq_,
           .frame_valid = queued_,
           .abort = abort_,
-          .r_data = r_.data};
+          .r_data = r_.data,
+          .timeout = values_.at(offsets_.at("BUS_TIMEOUT"))};
 }
 
 }  // namespace pipegs

@@ -17,13 +17,13 @@
 
 namespace pipegs {
 
-inline constexpr int kErrorCauses = 6;  // those that have an address; the last one of ERROR is the start's
+inline constexpr int kErrorCauses = 8;  // those that give frames up; the last one of ERROR is the start's
 
 struct ControlInputs {
   bool aw_valid = false, w_valid = false, b_ready = false, ar_valid = false, r_ready = false;
   uint32_t aw_address = 0, ar_address = 0, w_data = 0, w_strobe = 0;
-  bool frame_ready = false, busy = false, frame_done = false;
-  uint32_t errors = 0;
+  bool frame_ready = false, apart = false, busy = false, silent = false, frame_done = false;
+  uint32_t errors = 0, located = 0;  // located: of each cause, its line is known
   std::array<uint64_t, kErrorCauses> error_lines = {};
   std::vector<uint64_t> counters;  // those that the machine has, in the order of their slots
 };
@@ -31,6 +31,7 @@ struct ControlInputs {
 struct ControlOutputs {
   bool aw_ready, w_ready, b_valid, b_error, ar_ready, r_valid, r_error, irq, frame_valid, abort;
   uint32_t r_data;  // where r_valid
+  uint32_t timeout;
 };
 
 class ControlRegisters {
@@ -62,7 +63,7 @@ class ControlRegisters {
   std::map<int, uint32_t> values_;
   std::vector<uint64_t> shadow_;
   uint32_t high_ = 0, pulses_ = 0;  // pulses_: what a write to CONTROL does in this step
-  bool queued_ = false, abort_ = false, irq_ = false;
+  bool queued_ = false, abort_ = false, located_ = false, irq_ = false;
   bool aw_full_ = false, w_full_ = false, ar_full_ = false, b_full_ = false, r_full_ = false;
   uint32_t aw_address_ = 0, ar_address_ = 0, w_data_ = 0, w_strobe_ = 0;
   Answer b_ = {}, r_ = {};

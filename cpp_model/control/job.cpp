@@ -56,8 +56,8 @@ pipegs_job frame_job(const Config& config, const Frame& frame, const Areas& area
   SlotWriter writer(registers_of(config).block("frame").slots, reinterpret_cast<uint64_t*>(&job.frame));
   visit_fields(config, fields, writer);
   // Lines to bytes.
-  job.areas = {areas.cells << 6,  areas.groups << 6, areas.chunks << 6,  areas.gaussians << 6,
-               areas.colors << 6, areas.pixels << 6, areas.overflow << 6};
+  job.areas = {areas.cells << 6,  areas.groups << 6, areas.chunks << 6,   areas.gaussians << 6,
+               areas.colors << 6, areas.pixels << 6, areas.overflow << 6, areas.picture << 6};
   job.picture = {picture.format, picture.base << 6, picture.stride << 6};
   return job;
 }

@@ -89,6 +89,9 @@ void add_sizes(const std::vector<Slot>& frame, std::vector<Slot>& slots) {
     slot.name = leaf(slot.name);
     slots.push_back(slot);
   }
+  slots.push_back(slots.back());
+  slots.back().name = "picture";
+  slots.back().what = "size of what lies at picture.base in raster order, a multiple of a line";
 }
 
 void add_unit_counters(const Config& config, const std::vector<Slot>& states, std::vector<Slot>& slots) {

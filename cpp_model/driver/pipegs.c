@@ -144,14 +144,23 @@ enum pipegs_result pipegs_abort(struct pipegs_device *device, uint32_t polls) {
   return PIPEGS_OK;
 }
 
+void pipegs_set_timeout(const struct pipegs_device *device, uint32_t cycles) {
+  put(device, PIPEGS_BUS_TIMEOUT, cycles);
+}
+
+bool pipegs_silent(const struct pipegs_device *device) {
+  return (get(device, PIPEGS_STATUS) & PIPEGS_STATUS_SILENT) != 0;
+}
+
 struct pipegs_error pipegs_get_error(const struct pipegs_device *device) {
-  struct pipegs_error error = {0, false, 0, 0};
+  struct pipegs_error error = {0, false, 0, false, 0};
   uint32_t first;
   error.causes = get(device, PIPEGS_ERROR);
   first = get(device, PIPEGS_ERROR_FIRST);
-  error.has_address = (first & PIPEGS_ERROR_FIRST_VALID) != 0;
+  error.has_first = (first & PIPEGS_ERROR_FIRST_VALID) != 0;
+  error.has_address = (first & PIPEGS_ERROR_FIRST_LOCATED) != 0;
+  if (error.has_first) error.first = (first & PIPEGS_ERROR_FIRST_CAUSE) >> PIPEGS_ERROR_FIRST_CAUSE_SHIFT;
   if (!error.has_address) return error;
-  error.first = (first & PIPEGS_ERROR_FIRST_CAUSE) >> PIPEGS_ERROR_FIRST_CAUSE_SHIFT;
   error.address = get(device, PIPEGS_ERROR_ADDRESS_LOW);
   error.address |= (uint64_t)get(device, PIPEGS_ERROR_ADDRESS_HIGH) << 32;
   return error;

@@ -97,14 +97,24 @@ void pipegs_enable(const struct pipegs_device *device, uint32_t events);
 /* For the handler: what happened, as bits of IRQ_STATUS, which are clear then. */
 uint32_t pipegs_interrupt(const struct pipegs_device *device);
 
-/* Gives up what runs and what is queued, and waits until the machine is idle. Every ticket is void then. */
+/* Gives up what runs and what is queued, and waits until the machine is idle. Every ticket is void then. A machine
+ * whose memory is silent is idle, too, once the time-out has passed. */
 enum pipegs_result pipegs_abort(struct pipegs_device *device, uint32_t polls);
 
+/* For how many cycles memory may owe answers without any before its frames fail, with READ_TIMEOUT or WRITE_TIMEOUT; 0:
+ * for ever, and then a wait without a limit is one, too. After a reset of the machine it is 2^24. */
+void pipegs_set_timeout(const struct pipegs_device *device, uint32_t cycles);
+
+/* Has memory owed answers for longer than that? A frame that is queued fails, too, until it gives them: then the
+ * machine goes on by itself. Memory that has forgotten what it owes must be reset, and the machine with it. */
+bool pipegs_silent(const struct pipegs_device *device);
+
 struct pipegs_error {
-  uint32_t causes; /* bits of ERROR; 0: no error */
-  bool has_address;
-  uint32_t first;   /* with an address: the bit of the cause that came first */
-  uint64_t address; /* and the byte address of the line of memory that it concerns */
+  uint32_t causes;  /* bits of ERROR; 0: no error */
+  bool has_first;   /* frames were given up */
+  uint32_t first;   /* then: the bit of the cause that came first */
+  bool has_address; /* then: it is known where; of a read that failed it is not */
+  uint64_t address; /* then: the byte address of the line of memory that it concerns */
 };
 
 struct pipegs_error pipegs_get_error(const struct pipegs_device *device);
@@ -115,8 +125,8 @@ void pipegs_clear_error(const struct pipegs_device *device, uint32_t causes);
 /* What a bit of ERROR says (its number, 0 to 31), as text that is never freed. */
 const char *pipegs_cause_text(uint32_t bit);
 
-/* All causes, and the first one's address: "CAUSE; CAUSE; first CAUSE at 0x...". Cut to `size` bytes, a 0 included;
- * returns the length that the whole text has. */
+/* All causes, and which came first at which address, if it is known: "CAUSE; CAUSE; first: CAUSE, at 0x...". Cut to
+ * `size` bytes, a 0 included; returns the length that the whole text has. */
 size_t pipegs_error_text(const struct pipegs_error *error, char *text, size_t size);
 
 /* The counter at this offset, a PIPEGS_COUNTERS_...; both words are of one moment. */

@@ -18,11 +18,11 @@
 #define PIPEGS_VERSION_MINOR 0x0000ffffu /* goes up when something is added */
 #define PIPEGS_VERSION_MAJOR 0xffff0000u /* goes up when a driver has to change */
 #define PIPEGS_VERSION_MAJOR_SHIFT 16
-#define PIPEGS_VERSION_VALUE 0x00010001u
+#define PIPEGS_VERSION_VALUE 0x00020000u
 
 #define PIPEGS_LAYOUT 0x008u /* which table of registers this is */
 #define PIPEGS_LAYOUT_HASH 0xffffffffu /* FNV-1a of all names and places: the driver has the same */
-#define PIPEGS_LAYOUT_VALUE 0x8b93182fu
+#define PIPEGS_LAYOUT_VALUE 0x880a33ceu
 
 #define PIPEGS_CONFIG_HASH 0x00cu /* which machine this is */
 #define PIPEGS_CONFIG_HASH_HASH 0xffffffffu /* FNV-1a of name=value; of every choice in config.def */
@@ -39,6 +39,8 @@
 #define PIPEGS_STATUS_QUEUED_SHIFT 1
 #define PIPEGS_STATUS_FAILED 0x00000004u /* a bit of ERROR is set */
 #define PIPEGS_STATUS_FAILED_SHIFT 2
+#define PIPEGS_STATUS_SILENT 0x00000008u /* memory owes answers, and for BUS_TIMEOUT cycles it has given none */
+#define PIPEGS_STATUS_SILENT_SHIFT 3
 
 #define PIPEGS_ERROR 0x018u /* what went wrong since it was cleared */
 #define PIPEGS_ERROR_READ_SLVERR 0x00000001u /* memory answered a read with SLVERR */
@@ -52,16 +54,22 @@
 #define PIPEGS_ERROR_AREA_FULL_SHIFT 4
 #define PIPEGS_ERROR_BAD_SCENE 0x00000020u /* a node of the scene in memory contradicts itself */
 #define PIPEGS_ERROR_BAD_SCENE_SHIFT 5
-#define PIPEGS_ERROR_START_FULL 0x00000040u /* a start came while a frame was queued; it is lost */
-#define PIPEGS_ERROR_START_FULL_SHIFT 6
+#define PIPEGS_ERROR_READ_TIMEOUT 0x00000040u /* memory did not answer a read for BUS_TIMEOUT cycles */
+#define PIPEGS_ERROR_READ_TIMEOUT_SHIFT 6
+#define PIPEGS_ERROR_WRITE_TIMEOUT 0x00000080u /* memory did not answer a write for BUS_TIMEOUT cycles */
+#define PIPEGS_ERROR_WRITE_TIMEOUT_SHIFT 7
+#define PIPEGS_ERROR_START_FULL 0x00000100u /* a start came while a frame was queued; it is lost */
+#define PIPEGS_ERROR_START_FULL_SHIFT 8
 
-#define PIPEGS_ERROR_FIRST 0x01cu /* the first error with an address, until ERROR 5:0 is clear */
+#define PIPEGS_ERROR_FIRST 0x01cu /* the first error that gave frames up, until ERROR 7:0 is clear */
 #define PIPEGS_ERROR_FIRST_VALID 0x00000001u /* there is one */
+#define PIPEGS_ERROR_FIRST_LOCATED 0x00000002u /* ERROR_ADDRESS says where; of a read that failed nothing does */
+#define PIPEGS_ERROR_FIRST_LOCATED_SHIFT 1
 #define PIPEGS_ERROR_FIRST_CAUSE 0x00000700u /* its bit in ERROR; of several in one cycle the lowest */
 #define PIPEGS_ERROR_FIRST_CAUSE_SHIFT 8
 
 #define PIPEGS_ERROR_ADDRESS_LOW 0x020u /* where the first error happened, low word */
-#define PIPEGS_ERROR_ADDRESS_LOW_ADDRESS 0xffffffffu /* address of the line of memory; of a read 0, it is not kept */
+#define PIPEGS_ERROR_ADDRESS_LOW_ADDRESS 0xffffffffu /* address of the line of memory; 0 where it is not located */
 
 #define PIPEGS_ERROR_ADDRESS_HIGH 0x024u /* where the first error happened, high word */
 #define PIPEGS_ERROR_ADDRESS_HIGH_ADDRESS 0xffffffffu /* its upper bits */
@@ -86,6 +94,10 @@
 
 #define PIPEGS_FRAMES_DONE 0x034u /* frames that are complete in memory */
 #define PIPEGS_FRAMES_DONE_COUNT 0xffffffffu /* since reset, modulo 2^32 */
+
+#define PIPEGS_BUS_TIMEOUT 0x038u /* how long memory may be silent */
+/* in which it owes answers to reads, or to writes, and none comes and it takes nothing; 0: for ever */
+#define PIPEGS_BUS_TIMEOUT_CYCLES 0xffffffffu
 
 #define PIPEGS_CONFIG_COUNTS 0x080u /* counts */
 #define PIPEGS_CONFIG_COUNTS_UNITS 0x000000ffu /* PUs, SUs and RUs */
@@ -237,7 +249,7 @@
 #define PIPEGS_FRAME_RASTER_WINDOWS_LAST_Y 0x378u
 
 #define PIPEGS_AREAS 0x400u /* sizes of what lies at the addresses of the frame */
-#define PIPEGS_AREAS_SLOTS 7
+#define PIPEGS_AREAS_SLOTS 8
 #define PIPEGS_AREAS_CELLS 0x400u
 #define PIPEGS_AREAS_GROUPS 0x408u
 #define PIPEGS_AREAS_CHUNKS 0x410u
@@ -245,6 +257,7 @@
 #define PIPEGS_AREAS_COLORS 0x420u
 #define PIPEGS_AREAS_PIXELS 0x428u
 #define PIPEGS_AREAS_OVERFLOW 0x430u
+#define PIPEGS_AREAS_PICTURE 0x438u
 
 #define PIPEGS_PICTURE 0x480u /* the picture in raster order */
 #define PIPEGS_PICTURE_SLOTS 3
@@ -373,6 +386,7 @@ struct pipegs_areas {
   uint64_t colors; /* size of what lies at tables.colors, a multiple of a line */
   uint64_t pixels; /* size of what lies at tables.pixels, a multiple of a line */
   uint64_t overflow; /* size of what lies at tables.overflow, a multiple of a line */
+  uint64_t picture; /* size of what lies at picture.base in raster order, a multiple of a line */
 };
 
 /* the picture in raster order, in the order of its slots. */
@@ -450,7 +464,9 @@ struct pipegs_counters {
   CAUSE(WRITE_DECERR, 3, "memory answered a write with DECERR") \
   CAUSE(AREA_FULL, 4, "an area has no room for what the frame needs") \
   CAUSE(BAD_SCENE, 5, "a node of the scene in memory contradicts itself") \
-  CAUSE(START_FULL, 6, "a start came while a frame was queued; it is lost")
+  CAUSE(READ_TIMEOUT, 6, "memory did not answer a read for BUS_TIMEOUT cycles") \
+  CAUSE(WRITE_TIMEOUT, 7, "memory did not answer a write for BUS_TIMEOUT cycles") \
+  CAUSE(START_FULL, 8, "a start came while a frame was queued; it is lost")
 
 /* The machine as it was built: what the registers CONFIG_... say. */
 struct pipegs_configuration {

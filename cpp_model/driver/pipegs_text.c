@@ -45,9 +45,11 @@ size_t pipegs_error_text(const struct pipegs_error *error, char *text, size_t si
     if (out.length > 0) put_text(&out, "; ");
     put_text(&out, pipegs_cause_text(bit));
   }
-  if (error->has_address) {
+  if (error->has_address || (error->has_first && error->causes != (UINT32_C(1) << error->first))) {
     put_text(&out, "; first: ");
     put_text(&out, pipegs_cause_text(error->first));
+  }
+  if (error->has_address) {
     put_text(&out, ", at ");
     put_address(&out, error->address);
   }

@@ -25,6 +25,10 @@ module pipegs_slot_pool #(
   output logic             active_o
 );
 
+  if (Slots < 2 || (Slots & (Slots - 1)) != 0) begin : gen_odd
+    $error("pipegs_slot_pool: Slots is not a power of two");
+  end
+
   logic [SlotW:0]             fresh_q;  // slots handed out for the first time
   logic [SlotW:0]             used_q;
   logic [SlotW-1:0]           back;

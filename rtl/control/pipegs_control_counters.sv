@@ -17,6 +17,7 @@ module pipegs_control_counters #(
   input  logic                      clk_i,
   input  logic                      rst_ni,
 
+  input  logic                      apart_i,      // they are about to be reset: 0 is read
   input  logic [Counters*PerfW-1:0] counters_i,   // in the order of the package's table
   input  logic                      read_i,
   input  logic [WordW-1:0]          read_word_i,
@@ -38,7 +39,7 @@ module pipegs_control_counters #(
 
   always_comb begin
     count = '0;
-    for (int unsigned i = 0; i < Counters; i += 1) count |= counters_i[i*PerfW +: PerfW] & {PerfW{hits[i]}};
+    for (int unsigned i = 0; i < Counters; i += 1) count |= counters_i[i*PerfW +: PerfW] & {PerfW{hits[i] && !apart_i}};
   end
 
   always_ff @(posedge clk_i or negedge rst_ni) begin

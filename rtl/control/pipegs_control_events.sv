@@ -2,15 +2,16 @@
 // pipegs_control_events: what happened: errors with the first address, the interrupt, and the counts of frames.
 //
 // Idea    A bit is set by its event and cleared by a written 1; an event in the same cycle wins, so none is lost. The
-//         address of the first error stays until all errors that have one are cleared.
+//         cause and the address of the first error stay until all errors of its kind are cleared. Where it happened is
+//         not known of every error: then its address is 0 and not said to be one.
 // Stream  Events: pulses. error_i: one bit for each cause of ERROR but the last, in its order, each with the line of
-//         memory that it concerns. clear_*_i: ones where a 1 is written.
+//         memory that it concerns if located_i is set. clear_*_i: ones where a 1 is written.
 // Pace    An event shows in the next cycle; irq_o, a register, one cycle later.
 // Model   cpp_model/control/control_registers.hpp
 
 module pipegs_control_events #(
   localparam int unsigned AddressW = pipegs_pkg::AddressW,
-  localparam int unsigned Causes   = 6
+  localparam int unsigned Causes   = 8
 ) (
   input  logic                       clk_i,
   input  logic                       rst_ni,
@@ -19,6 +20,7 @@ module pipegs_control_events #(
   input  logic                       freed_i,        // the queue is free again: taken or dropped
   input  logic                       frame_done_i,
   input  logic [Causes-1:0]          error_i,
+  input  logic [Causes-1:0]          located_i,        // its line is known
   input  logic [Causes*AddressW-1:0] error_address_i,  // line
   input  logic                       start_full_i,
 
@@ -36,11 +38,12 @@ module pipegs_control_events #(
 );
 
   logic [Causes:0]     error_q, error_next;
-  logic [Causes-1:0]   kept;  // of those with an address
+  logic [Causes-1:0]   kept;  // of those that give frames up
   logic [2:0]          irq_q;
   logic                irq_out_q;
   logic [2:0]          cause_q, cause;
   logic [AddressW-1:0] line_q, line;
+  logic                located_q, located;
   logic [31:0]         started_q, done_q;
   logic                unused_gaps;
 
@@ -49,12 +52,14 @@ module pipegs_control_events #(
   assign error_next  = (error_q & ~clear_error_i[Causes:0]) | {start_full_i, error_i};
 
   always_comb begin  // of the lowest cause
-    cause = '0;
-    line  = '0;
+    cause   = '0;
+    line    = '0;
+    located = 1'b0;
     for (int unsigned i = Causes; i > 0; i -= 1) begin
       if (error_i[i-1]) begin
-        cause = 3'(i - 1);
-        line  = error_address_i[(i-1)*AddressW +: AddressW];
+        cause   = 3'(i - 1);
+        line    = error_address_i[(i-1)*AddressW +: AddressW] & {AddressW{located_i[i-1]}};
+        located = located_i[i-1];
       end
     end
   end
@@ -65,6 +70,7 @@ module pipegs_control_events #(
       irq_q     <= '0;
       cause_q   <= '0;
       line_q    <= '0;
+      located_q <= 1'b0;
       started_q <= '0;
       done_q    <= '0;
       irq_out_q <= 1'b0;
@@ -72,8 +78,9 @@ module pipegs_control_events #(
       error_q   <= error_next;
       irq_q     <= (irq_q & ~clear_irq_i[2:0]) | {start_full_i || error_i != '0, freed_i, frame_done_i};
       if (error_i != '0 && kept == '0) begin
-        cause_q <= cause;
-        line_q  <= line;
+        cause_q   <= cause;
+        line_q    <= line;
+        located_q <= located;
       end
       started_q <= started_q + 32'(taken_i);
       done_q    <= done_q + 32'(frame_done_i);
@@ -82,13 +89,14 @@ module pipegs_control_events #(
   end
 
   always_comb begin
-    error_o              = '0;
-    error_first_o        = '0;
-    irq_status_o         = '0;
-    error_o[Causes:0]    = error_q;
-    error_first_o.valid  = error_q[Causes-1:0] != '0;
-    error_first_o.cause  = cause_q;
-    irq_status_o[2:0]    = irq_q;
+    error_o               = '0;
+    error_first_o         = '0;
+    irq_status_o          = '0;
+    error_o[Causes:0]     = error_q;
+    error_first_o.valid   = error_q[Causes-1:0] != '0;
+    error_first_o.located = error_q[Causes-1:0] != '0 && located_q;
+    error_first_o.cause   = cause_q;
+    irq_status_o[2:0]     = irq_q;
   end
   assign error_line_o = line_q;
   assign started_o    = started_q;

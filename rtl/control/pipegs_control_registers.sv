@@ -15,7 +15,7 @@ module pipegs_control_registers #(
   localparam int unsigned LineW    = pipegs_pkg::AddressW,
   localparam int unsigned Counters = pipegs_pkg::ControlCounters,
   localparam int unsigned PerfW    = pipegs_pkg::PerfW,
-  localparam int unsigned Causes   = 6
+  localparam int unsigned Causes   = 8
 ) (
   input  logic                      clk_i,
   input  logic                      rst_ni,
@@ -30,11 +30,15 @@ module pipegs_control_registers #(
   output pipegs_pkg::areas_t        areas_o,
   output pipegs_pkg::picture_t      picture_o,
   output logic                      abort_o,
+  output logic [31:0]               timeout_o,        // cycles for which memory may be silent; 0: for ever
 
+  input  logic                      apart_i,          // the core is about to be reset: counters read 0
   input  logic                      busy_i,           // a frame is in the core: up from the cycle after it was taken
+  input  logic                      silent_i,         // memory is
   input  logic                      frame_done_i,     // pulse: the last pixel of a frame is in memory
   input  logic [Causes-1:0]         error_i,          // pulses, in the order of ERROR: read SLVERR, DECERR, write
-                                                      // SLVERR, DECERR, area full, bad scene
+                                                      // SLVERR, DECERR, area full, bad scene, read and write timeout
+  input  logic [Causes-1:0]         located_i,        // of each cause: its line is known
   input  logic [Causes*LineW-1:0]   error_address_i,  // line of memory, one for each cause
   input  logic [Counters*PerfW-1:0] counters_i        // cycles, preprocess_cycles, overflow_lines, then perf_o
 );
@@ -48,8 +52,9 @@ module pipegs_control_registers #(
 
   logic             shadow_write_hit, shadow_read_hit, counters_hit, constant_hit, live_hit, live_writable;
   logic [31:0]      shadow_data, counters_data, constant_data, live_data;
-  logic             to_control, to_error, to_irq_status, to_irq_enable, taken, queued;
+  logic             to_control, to_error, to_irq_status, to_irq_enable, to_timeout, taken, queued;
   logic             abort_q, unused_control;
+  logic [31:0]      timeout_q;
 
   pipegs_pkg::control_control_t     control;
   pipegs_pkg::control_status_t      status;
@@ -76,13 +81,13 @@ module pipegs_control_registers #(
   );
 
   pipegs_control_counters u_counters (
-    .clk_i, .rst_ni, .counters_i, .read_i(read), .read_word_i(read_word), .read_hit_o(counters_hit),
+    .clk_i, .rst_ni, .apart_i, .counters_i, .read_i(read), .read_word_i(read_word), .read_hit_o(counters_hit),
     .read_data_o(counters_data)
   );
 
   pipegs_control_events u_events (
     .clk_i, .rst_ni, .taken_i(taken), .freed_i(queued && (frame_ready_i || control.abort_all)), .frame_done_i, .error_i,
-    .error_address_i, .start_full_i(control.start && !control.abort_all && queued),
+    .located_i, .error_address_i, .start_full_i(control.start && !control.abort_all && queued),
     .clear_error_i(clear_error), .clear_irq_i(clear_irq), .enable_i(irq_enable_q),
     .error_o(error), .error_first_o(error_first), .error_line_o(error_line), .irq_status_o(irq_status),
     .started_o(started), .done_o(done), .irq_o
@@ -95,7 +100,8 @@ module pipegs_control_registers #(
   assign to_error      = write_word == pipegs_pkg::ControlErrorAt[AddressW-1:2];
   assign to_irq_status = write_word == pipegs_pkg::ControlIrqStatusAt[AddressW-1:2];
   assign to_irq_enable = write_word == pipegs_pkg::ControlIrqEnableAt[AddressW-1:2];
-  assign live_writable = to_control || to_error || to_irq_status || to_irq_enable;
+  assign to_timeout    = write_word == pipegs_pkg::ControlBusTimeoutAt[AddressW-1:2];
+  assign live_writable = to_control || to_error || to_irq_status || to_irq_enable || to_timeout;
   assign write_error   = !live_writable && (!shadow_write_hit || queued);
 
   assign written     = write_data & write_mask & {32{write}};
@@ -112,12 +118,15 @@ module pipegs_control_registers #(
     if (!rst_ni) begin
       irq_enable_q <= '0;
       abort_q      <= 1'b0;
+      timeout_q    <= pipegs_pkg::ControlBusTimeoutReset;
     end else begin
       if (write && to_irq_enable) irq_enable_q <= irq_enable;
+      if (write && to_timeout) timeout_q <= (timeout_q & ~write_mask) | written;
       abort_q <= control.abort_all;
     end
   end
-  assign abort_o = abort_q;
+  assign abort_o   = abort_q;
+  assign timeout_o = timeout_q;
 
   // --- reads ---------------------------------------------------------------------------------------------------------
   assign error_address = {30'd0, error_line} << 6;
@@ -126,6 +135,7 @@ module pipegs_control_registers #(
     status.busy   = busy_i;
     status.queued = queued;
     status.failed = error != '0;
+    status.silent = silent_i;
   end
 
   always_comb begin
@@ -140,6 +150,7 @@ module pipegs_control_registers #(
       pipegs_pkg::ControlErrorAddressHighAt: live_data = error_address[63:32];
       pipegs_pkg::ControlIrqStatusAt:        live_data = irq_status;
       pipegs_pkg::ControlIrqEnableAt:        live_data = irq_enable_q;
+      pipegs_pkg::ControlBusTimeoutAt:       live_data = timeout_q;
       pipegs_pkg::ControlFramesStartedAt:    live_data = started;
       pipegs_pkg::ControlFramesDoneAt:       live_data = done;
       default:                               live_hit = 1'b0;

@@ -5,14 +5,14 @@
 //         unit's clock power; in Verilator a unit whose clock does not tick costs nothing. An FPGA has no latch that
 //         could stand before its clock trees: with ClockGates = 0 the clock passes as it is.
 // Stream  enable_i of the low phase before an edge decides whether that edge reaches clk_o. In reset and while
-//         test_en_i is high (the scan test of the silicon) every edge does, with ClockGates = 0 always.
+//         scan_en_i is high (patterns of the scan test shift) every edge does, with ClockGates = 0 always.
 // Pace    No delay: an enable that rises in a cycle already passes that cycle's closing edge.
 // Model   None needed: gating never changes what a unit computes.
 
 module pipegs_clock_gate (
   input  logic clk_i,
   input  logic rst_ni,
-  input  logic test_en_i,
+  input  logic scan_en_i,
   input  logic enable_i,
   output logic clk_o
 );
@@ -20,13 +20,13 @@ module pipegs_clock_gate (
   if (pipegs_pkg::ClockGates != 0) begin : gen_gate
     logic enable_q;
     always_latch begin
-      if (!clk_i) enable_q = enable_i || test_en_i || !rst_ni;
+      if (!clk_i) enable_q = enable_i || scan_en_i || !rst_ni;
     end
     assign clk_o = clk_i & enable_q;
   end else begin : gen_wire
     assign clk_o = clk_i;
     logic unused;
-    assign unused = &{1'b0, rst_ni, test_en_i, enable_i};
+    assign unused = &{1'b0, rst_ni, scan_en_i, enable_i};
   end
 
 endmodule

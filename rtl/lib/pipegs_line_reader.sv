@@ -56,6 +56,12 @@ module pipegs_line_reader #(
 );
 
   localparam int unsigned BurstW = pipegs_pkg::BurstW;
+  if (Lines < 2 ** BurstW || (Lines & (Lines - 1)) != 0) begin : gen_odd
+    $error("pipegs_line_reader: Lines is not a power of two, or below the lines of a burst");
+  end
+  if (ItemsPerLine != 1 && ItemsPerLine != 2) begin : gen_many
+    $error("pipegs_line_reader: ItemsPerLine is neither 1 nor 2");
+  end
   localparam int unsigned PtrW = $clog2(Lines);
   localparam int unsigned CreditW = $clog2(Lines + 1);
   localparam int unsigned HalfW = ItemsPerLine - 1;  // bits of an item's place in its line

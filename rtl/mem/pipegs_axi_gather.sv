@@ -79,7 +79,7 @@ module pipegs_axi_gather #(
   assign active_o     = line_valid_q;
 
 `ifndef SYNTHESIS
-  always_ff @(posedge clk_i) if (rst_ni) assert (!beat_valid_i || beat_tag_i < TagW'(Tags))
+  always_ff @(posedge clk_i) if (rst_ni) assert (!beat_valid_i || (TagW+1)'(beat_tag_i) < (TagW+1)'(Tags))
     else $error("pipegs_axi_gather: an answer with a tag that nobody has");
 `endif
 

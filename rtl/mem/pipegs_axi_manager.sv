@@ -43,6 +43,8 @@ module pipegs_axi_manager #(
   output logic [LineW-1:0]               error_line_o,   // of a write: number of its line
   output logic [$clog2(Writes+1)-1:0]    writes_o,       // accepted and not answered
   output logic                           answered_o,     // one of them is, in this cycle
+  output pipegs_pkg::memory_wait_t       read_wait_o,    // what the bus owes
+  output pipegs_pkg::memory_wait_t       write_wait_o,
 
   output pipegs_pkg::axi_manager_t       m_axi_o,
   input  pipegs_pkg::axi_subordinate_t   m_axi_i
@@ -75,7 +77,8 @@ module pipegs_axi_manager #(
 
   pipegs_axi_read #(.AddrW(AddrW), .Reads(Reads)) u_read (
     .clk_i, .rst_ni, .base_i, .epoch_i, .room_o(read_room), .accept_i(read_valid && fence_ready),
-    .drained_o, .pending_o(reads_pending), .in_valid_i(issue_valid), .in_ready_o(issue_ready), .in_i(issue),
+    .drained_o, .pending_o(reads_pending), .wait_o(read_wait_o),
+    .in_valid_i(issue_valid), .in_ready_o(issue_ready), .in_i(issue),
     .line_valid_o(rsp_valid_o), .line_tag_o(rsp_tag_o), .line_o(rsp_data_o),
     .error_o(read_error), .error_decode_o(read_decode),
     .m_axi_o(m_axi_o.read), .m_axi_i(m_axi_i.read)
@@ -84,7 +87,7 @@ module pipegs_axi_manager #(
   pipegs_axi_write #(.AddrW(AddrW), .Writes(Writes)) u_write (
     .clk_i, .rst_ni, .base_i, .epoch_i, .in_valid_i(write_valid), .in_ready_o(write_ready),
     .in_line_i(mem_request_i.address), .in_halves_i(mem_request_i.halves), .in_data_i(mem_data_i), .writes_o(writes),
-    .error_o(write_error), .error_decode_o(write_decode), .error_line_o(write_line),
+    .wait_o(write_wait_o), .error_o(write_error), .error_decode_o(write_decode), .error_line_o(write_line),
     .m_axi_o(m_axi_o.write), .m_axi_i(m_axi_i.write)
   );
 

@@ -5,7 +5,9 @@
 //         as the core wants it within a tag. Eight lines are 512 bytes and lie in one aligned group, so no burst
 //         crosses 4 KB. Counted are the reads accepted and not answered, and of these the ones of an older epoch: their
 //         beats are taken and dropped. One bit tells two epochs apart, so the epoch may change again only when
-//         drained_o is up.
+//         drained_o is up. Of the reads that are out one is remembered until an answer to its ID ends, which may be
+//         that to an older one: so what is remembered is unanswered, and when memory falls silent it is known which
+//         read it owes.
 // Stream  in: the read, {epoch, tag, lines, line}. out: AR; R is never refused. Lines and their tag to the core.
 // Pace    One read and one beat per cycle; AR shows one cycle after the read, a line one cycle after its last beat.
 // Model   sim/memory/axi/axi_memory.hpp has the other side.
@@ -28,6 +30,7 @@ module pipegs_axi_read #(
   input  logic                           accept_i,    // it is, of this epoch, now or after its fence shown at the input
   output logic                           drained_o,   // no read of an older epoch is unanswered
   output logic                           pending_o,   // some read is unanswered, or its line shows in this cycle
+  output pipegs_pkg::memory_wait_t       wait_o,
 
   input  logic                           in_valid_i,
   output logic                           in_ready_o,
@@ -55,6 +58,10 @@ module pipegs_axi_read #(
   logic [LineW-1:0]  line;
   logic [AddrW-1:0]  address_q;
   logic [ReadsW-1:0] reads_q, old_q;  // unanswered; of these, of an older epoch
+  logic [ReadsW-1:0] out_q;           // of the unanswered ones those that AR shows or has shown
+  logic              asks, owed_q, renews;  // asks: AR is taken; owed_q: one is remembered; renews: another one may be
+  logic [IdW-1:0]    owed_id_q;
+  logic [LineW-1:0]  shown_line, owed_line_q;
 
   // --- AR ------------------------------------------------------------------------------------------------------------
   assign {id, lines, line} = in_i;
@@ -91,6 +98,32 @@ module pipegs_axi_read #(
       else if (answered && !now) old_q <= old_q - 1'b1;
     end
   end
+
+  // --- what memory owes ----------------------------------------------------------------------------------------------
+  assign asks       = ar_valid_q && m_axi_i.ar_ready;
+  assign renews     = !owed_q || (answered && m_axi_i.r.id == owed_id_q);
+  assign shown_line = {(LineW-PageB)'(address_q[AddrW-1:12] - base_i[AddrW-1:12]), address_q[11:LineB]};
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      out_q  <= '0;
+      owed_q <= 1'b0;
+    end else begin
+      out_q <= out_q + ReadsW'(in_valid_i && free) - ReadsW'(answered);
+      if (renews) owed_q <= asks;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (renews && asks) begin
+      owed_id_q   <= id_q;
+      owed_line_q <= shown_line;
+    end
+  end
+
+  assign wait_o.waits   = out_q != '0;
+  assign wait_o.moves   = asks || m_axi_i.r_valid;
+  assign wait_o.located = ar_valid_q || owed_q;
+  assign wait_o.line    = ar_valid_q ? shown_line : owed_line_q;
 
   pipegs_axi_gather #(.DataW(DataW)) u_gather (
     .clk_i, .rst_ni, .turn_i(turn), .beat_valid_i(now), .beat_tag_i(m_axi_i.r.id[TagW-1:0]), .beat_i(m_axi_i.r.data),

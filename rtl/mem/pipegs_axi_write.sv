@@ -28,6 +28,7 @@ module pipegs_axi_write #(
   input  logic [pipegs_pkg::HalvesW-1:0] in_halves_i,  // of the line, what is written
   input  logic [pipegs_pkg::MemoryW-1:0] in_data_i,
   output logic [WritesW-1:0]             writes_o,     // accepted and not answered
+  output pipegs_pkg::memory_wait_t       wait_o,       // of the oldest of them
 
   output logic                           error_o,      // a write of this epoch failed
   output logic                           error_decode_o,  // nothing is at that address
@@ -105,6 +106,11 @@ module pipegs_axi_write #(
   assign m_axi_o.w_valid  = w_valid_q;
   assign error_o          = done && m_axi_i.b.resp[1] && done_epoch == epoch_i;
   assign error_decode_o   = m_axi_i.b.resp[0];
+
+  assign wait_o.waits   = writes_o != '0;
+  assign wait_o.moves   = (aw_valid_q && m_axi_i.aw_ready) || (w_valid_q && m_axi_i.w_ready) || done;
+  assign wait_o.located = m_axi_o.b_ready;
+  assign wait_o.line    = error_line_o;
 
   logic unused;
   assign unused = &{1'b0, base_i[11:0], m_axi_i.b.id};

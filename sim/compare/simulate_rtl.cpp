@@ -37,7 +37,7 @@ Placed place(const Config& config, const std::vector<Simulation*>& frames, Exter
     input.picture.base += found->second;
     end = std::max(end, input.frame.tables.overflow);
     placed.inputs.push_back(input);
-    placed.areas.push_back(frame_areas(config, *input.packed, input.frame));
+    placed.areas.push_back(frame_areas(config, *input.packed, input.frame, input.picture));
     overflow = std::max(overflow, placed.areas.back().overflow);
   }
   for (GoldenInput& input : placed.inputs) input.frame.tables.overflow = end;

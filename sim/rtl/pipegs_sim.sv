@@ -68,7 +68,7 @@ module pipegs_sim #(
   output logic                          tap_busy_o,         // a frame is in the core
   output logic                          tap_left_o,         // pulse: its last pixel has left the core
   output logic                          tap_done_o,         // pulse: a frame is complete in memory
-  output logic                          tap_reset_o,        // the core is in reset
+  output logic                          tap_reset_o,        // the core is kept apart, and in reset
   output logic [Units-1:0]              tap_splat_valid_o,
   output logic [Units*pipegs_pkg::SplatBits-1:0] tap_splat_o,
   output logic                          tap_sorted_valid_o,
@@ -95,7 +95,7 @@ module pipegs_sim #(
 
   localparam int unsigned SplatBits = pipegs_pkg::SplatBits;
 
-  logic                             core_busy, core_take, sorted_taken, left, done, core_rst_n;
+  logic                             core_busy, core_take, sorted_taken, left, done, apart;
   pipegs_pkg::sorted_t              sorted;
   pipegs_pkg::raster_taps_t         taps;
   logic [Units*pipegs_pkg::WindowW-1:0] window_x, window_y;
@@ -110,10 +110,10 @@ module pipegs_sim #(
     logic [31:0] asked, reads_q;  // lines
     assign asked = mem_valid_o && mem_ready_i && !mem_request_o.write ? 32'(mem_request_o.lines) + 32'd1 : '0;
     pipegs_host u_host (
-      .clk_i(aclk), .rst_ni(aresetn), .test_en_i(1'b0), .s_axi_i, .s_axi_o,
+      .clk_i(aclk), .rst_ni(aresetn), .test_mode_i(1'b0), .scan_en_i(1'b0), .s_axi_i, .s_axi_o,
       .irq_o(irq), .mem_valid_o, .mem_ready_i, .mem_request_o, .mem_data_o, .mem_rsp_valid_i, .mem_rsp_tag_i,
       .mem_rsp_data_i, .mem_epoch_o(), .mem_drained_i(reads_q == '0), .mem_writes_i('0),
-      .mem_answered_i(1'b0), .mem_error_i('0), .mem_error_line_i('0)
+      .mem_answered_i(1'b0), .mem_error_i('0), .mem_error_line_i('0), .mem_read_wait_i('0), .mem_write_wait_i('0)
     );
     always_ff @(posedge aclk or negedge aresetn) begin
       if (!aresetn) reads_q <= '0;
@@ -124,14 +124,14 @@ module pipegs_sim #(
     assign tap_answer_valid_o = mem_rsp_valid_i;
     assign tap_answer_tag_o   = mem_rsp_tag_i;
     assign done        = u_host.done;
-    assign core_rst_n  = u_host.core_rst_n;
+    assign apart       = u_host.apart;
     `PIPEGS_LOOK(u_host.u_core)
     assign m_axi_o = '0;
     logic unused_bus;
     assign unused_bus = &{1'b0, m_axi_i};
   end else begin : gen_bus
     pipegs_axi #(.AddrW(pipegs_pkg::AxiAddrW)) u_axi (
-      .aclk, .aresetn, .test_en(1'b0), .irq, .s_axi_awprot('0), .s_axi_arprot('0),
+      .aclk, .aresetn, .test_mode(1'b0), .scan_enable(1'b0), .irq, .s_axi_awprot('0), .s_axi_arprot('0),
       .s_axi_awaddr(s_axi_i.aw_addr), .s_axi_awvalid(s_axi_i.aw_valid), .s_axi_wdata(s_axi_i.w_data),
       .s_axi_wstrb(s_axi_i.w_strb), .s_axi_wvalid(s_axi_i.w_valid), .s_axi_bready(s_axi_i.b_ready),
       .s_axi_araddr(s_axi_i.ar_addr), .s_axi_arvalid(s_axi_i.ar_valid), .s_axi_rready(s_axi_i.r_ready),
@@ -171,7 +171,7 @@ module pipegs_sim #(
   assign tap_busy_o           = core_busy;
   assign tap_left_o           = left;
   assign tap_done_o           = done;
-  assign tap_reset_o          = !core_rst_n;
+  assign tap_reset_o          = apart;
   assign tap_splat_valid_o    = Shown ? splat_valid : '0;
   assign tap_splat_o          = Shown ? splat : '0;
   assign tap_sorted_valid_o   = Shown ? sorted_taken : '0;

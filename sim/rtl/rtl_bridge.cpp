@@ -39,10 +39,12 @@ struct Widths {
         tag(c.tag_w()),
         burst(c.burst_w()),
         bus(c.bus_w),
+        axi(c),
         pixel_lines(c.region_lines() * c.regions()),
         raster_rows(8 * c.regions()),
         taps(c.taps != 0) {}
   int units, tap_lanes, splat, sorted, request, kind, region, index, window, line, pixels, address, tag, burst, bus;
+  AxiWidths axi;
   int pixel_lines, raster_rows;  // what is written of a window inside the image, in either format of the picture
   bool taps;                     // the streams show
 };
@@ -95,6 +97,8 @@ class VerilatedMachine final : public RtlModel {
   uint64_t taken_ = 0;         // frames
   uint64_t taken_cycle_ = 0;   // of the latest of them
   size_t disturbed_ = 0;       // disturbances that have come
+  uint64_t silent_until_ = 0;  // the memory
+  uint32_t errors_ = 0;        // told until now
   bool reset_ = false;         // the core was in reset in the cycle before
   bool mute_ = false;          // what the machine shows is of frames that are given up
   bool running_ = false;       // the machine was busy in the cycle before; its first cycle restarts the counters
@@ -174,7 +178,8 @@ void VerilatedMachine::begin() {
   dut_ = std::make_unique<Vpipegs_sim>(context_.get());
   waves_ = std::make_unique<WaveFile<Vpipegs_sim>>(*dut_, *options_);
   control_ = {};
-  cycle_ = windows_ = pixel_lines_ = last_request_ = taken_ = taken_cycle_ = disturbed_ = counted_ = 0;
+  cycle_ = windows_ = pixel_lines_ = last_request_ = taken_ = taken_cycle_ = disturbed_ = counted_ = silent_until_ = 0;
+  errors_ = 0;
   running_ = reset_ = mute_ = left_ = false;
   ends_.clear();
   gaps_.clear();
@@ -191,7 +196,7 @@ void VerilatedMachine::begin() {
 void VerilatedMachine::drive_memory() {
   Vpipegs_sim& top = *dut_;
   if (w_.bus != 0) {
-    write_subordinate_side(top.m_axi_i, w_.bus, taken_ > 0 ? memory_->bus()->step() : AxiSubordinateSide{});
+    write_subordinate_side(top.m_axi_i, w_.axi, taken_ > 0 ? memory_->bus()->step() : AxiSubordinateSide{});
     return;
   }
   top.mem_ready_i = 0;
@@ -208,7 +213,7 @@ void VerilatedMachine::drive_memory() {
 
 void VerilatedMachine::observe_memory() {
   const Vpipegs_sim& top = *dut_;
-  if (w_.bus != 0 && taken_ > 0) memory_->bus()->observe(axi_manager_side(top.m_axi_o, w_.bus));
+  if (w_.bus != 0 && taken_ > 0) memory_->bus()->observe(axi_manager_side(top.m_axi_o, w_.axi));
   if (w_.bus != 0 && top.tap_reset_o) memory_->forget();
   if (w_.bus != 0 && top.tap_answer_valid_o && !top.tap_reset_o) memory_->answered(top.tap_answer_tag_o);
   if (!top.mem_valid_o || !top.mem_ready_o) return;
@@ -233,6 +238,7 @@ void VerilatedMachine::cycle() {
   Vpipegs_sim& top = *dut_;
   top.aclk = 0;
   top.aresetn = cycle_ >= kResetCycles;
+  if (silent_until_ != 0 && cycle_ >= silent_until_) silent_until_ = 0, memory_->bus()->silence = {};
   control_.drive(top);
   drive_memory();
   top.eval();
@@ -292,10 +298,14 @@ void VerilatedMachine::idle() {
 }
 
 void VerilatedMachine::disturb() {
-  const RtlDisturbance::Kind kind = options_->disturbances[disturbed_++].kind;
-  if (kind == RtlDisturbance::Kind::kAbort) {
+  const RtlDisturbance& now = options_->disturbances[disturbed_++];
+  const RtlDisturbance::Kind kind = now.kind;
+  if (kind == RtlDisturbance::Kind::kSilence) {
+    memory_->bus()->silence = now.silence;
+    silent_until_ = cycle_ + now.lasts;
+  } else if (kind == RtlDisturbance::Kind::kAbort) {
     pipegs_abort(&device_, PIPEGS_NO_LIMIT);
-    if (w_.bus != 0 && memory_->bus()->writing()) {
+    if (w_.bus != 0 && silent_until_ == 0 && memory_->bus()->writing()) {
       throw RtlFault("RTL: not busy after an abort, and a write is on its way to memory");
     }
   } else {
@@ -331,6 +341,7 @@ void VerilatedMachine::fail(const pipegs_error& error) const {
 }
 
 void VerilatedMachine::render(const std::vector<pipegs_job>& frames) {
+  if (options_->bus_timeout != 0) pipegs_set_timeout(&device_, options_->bus_timeout);
   window_lines_ = static_cast<uint64_t>(frames.front().picture.format != 0 ? w_.raster_rows : w_.pixel_lines);
   pipegs_enable(&device_, PIPEGS_IRQ_STATUS_FRAME_DONE | PIPEGS_IRQ_STATUS_QUEUE_FREE | PIPEGS_IRQ_STATUS_ERROR);
   for (size_t next = 0; ends_.size() < frames.size();) {
@@ -345,6 +356,7 @@ void VerilatedMachine::render(const std::vector<pipegs_job>& frames) {
     if (events & PIPEGS_IRQ_STATUS_ERROR) {
       const pipegs_error error = pipegs_get_error(&device_);
       if (disturbed_ == 0) fail(error);
+      errors_ |= error.causes;
       pipegs_abort(&device_, PIPEGS_NO_LIMIT);
       pipegs_clear_error(&device_, error.causes);
     }
@@ -398,6 +410,7 @@ RtlResult VerilatedMachine::drive(const std::function<void(const pipegs_bus&)>& 
   }
   result.frame_ends = ends_;
   result.frame_gaps = gaps_;
+  result.errors = errors_;
   return result;
 }
 

@@ -86,9 +86,11 @@ class RtlTaps {
 // What a run is to survive: it happens `cycle` cycles after the machine has taken its frame number `frame`, counted
 // with those that it takes again.
 struct RtlDisturbance {
-  enum class Kind { kAbort, kFailRead, kFailWrite };
+  enum class Kind { kAbort, kFailRead, kFailWrite, kSilence };
   uint64_t frame = 0, cycle = 0;
   Kind kind = Kind::kAbort;
+  AxiSilence silence = {};  // kSilence: what memory does not do
+  uint64_t lasts = 0;       // for so many cycles
 };
 
 // In waves a cycle takes so long; in the first half of it the clock is low.
@@ -109,6 +111,7 @@ struct RtlOptions {
   bool queued = true;             // a frame is queued while the one before runs; else when the machine is empty
   uint64_t quiet_limit = 200000;  // cycles without a memory request after which the machine counts as hung
   std::vector<RtlDisturbance> disturbances;  // in the order in which they come
+  uint32_t bus_timeout = 0;  // cycles of silence of the memory after which frames are given up; 0: as after a reset
 };
 
 // Whether waves show this cycle. Where in its period a sample lies is drawn from the period's number, so that samples
@@ -137,6 +140,7 @@ struct RtlResult {
   // Of each frame behind another: cycles from the last splat or end of the one before that the RUs take to its own
   // first one. Without taps none.
   std::vector<uint64_t> frame_gaps;
+  uint32_t errors = 0;  // all that the machine told while it got over its disturbances, as bits of ERROR
 };
 
 class RtlModel {

@@ -44,7 +44,7 @@ RtlTiming rtl_timing(const GoldenInput& input, const Config& config, const Exter
   RtlOptions rtl_options;
   rtl_options.seed = seed;
   const double before = thread_seconds();
-  const Areas areas = frame_areas(config, *input.packed, input.frame);
+  const Areas areas = frame_areas(config, *input.packed, input.frame, input.picture);
   memory.set_lines(input.frame.tables.overflow + areas.overflow);
   const RtlResult rtl =
       model->run({frame_job(config, input.frame, areas, input.picture)}, memory, rtl_options, &taps, {});

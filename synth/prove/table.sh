@@ -156,6 +156,7 @@ mutant "a half that is not written is" "s/in_halves_i\[1\]/1'b1/"
 mutant "the strobes do not move with the data" 's/written_q >> StepW/written_q/' \
        "@default %MemoryW=16 %AddressW=13 %TagW=2 %BusW=8 %AxiAddrW=16 AddrW=16 Writes=3"
 mutant "a burst that is not INCR" 's/(aw.burst = )pipegs_pkg::AxiIncr/\12\x27b10/'
+mutant "beats that leave do not count as moving" 's/ \|\| \(w_valid_q \&\& m_axi_i.w_ready\)//'
 mutant "a line is taken without room" 's/in_ready_o   = room \&\& /in_ready_o = /'
 mutant "the page of the base is not added" 's/base_i\[AddrW-1:12\] \+ //'
 
@@ -183,6 +184,9 @@ mutant "one read too many" "s/room_o           = reads_q != .*;/room_o = 1;/"
 mutant "drained although the old core's reads are out" 's/(if \(turn\) old_q <= ).*/\1 0;/'
 mutant "answers to the new core are counted as old ones" 's/(else if \(answered) \&\& !now\)/\1 \&\& old_q != 0)/'
 mutant "drained in the cycle of the turn" "s/turn \? reads_q == '0 : old_q == '0/old_q == '0/"
+mutant "a read that is not taken is not owed" "s/(out_q \+ ReadsW'\()in_valid_i \&\& free/\1asks/"
+mutant "the line of a read that was answered is told" 's/answered \&\& m_axi_i.r.id == owed_id_q/0/'
+mutant "the line is told with the base" 's/ - base_i\[AddrW-1:12\]//'
 mutant "errors of the old core are told" 's/error_o          = now \&\& /error_o = m_axi_i.r_valid \&\& /'
 
 proof  axi_manager \
@@ -240,6 +244,7 @@ mutant "a later error replaces the first address" "s/(error_i != '0) \&\& kept =
 mutant "of several causes the highest is shown" \
        's/int unsigned i = Causes; i > 0; i -= 1/int unsigned i = 1; i <= Causes; i += 1/'
 mutant "the interrupt does not look at the mask" 's/irq_q \& enable_i\[2:0\]/irq_q/'
+mutant "an address that is not known is shown" 's/ \& \{AddressW\{located_i\[i-1\]\}\}//'
 mutant "a start while full raises no interrupt" "s/start_full_i \|\| error_i/error_i/"
 
 proof  control_counters "pipegs_control_counters+" "@default %PerfW=36; @units=1 %PerfW=34"
@@ -258,14 +263,25 @@ mutant "a start while a frame is queued is no error" \
 mutant "the strobes of CONTROL are not looked at" 's/write_data \& write_mask \& \{32/write_data \& {32/'
 mutant "an abort does not drop the queue" "s/drop_i\(control.abort_all\)/drop_i(1'b0)/"
 
-proof  control_restart "pipegs_control_restart+" ""
+proof  control_watch "pipegs_control_watch+" ""
+mutant "one cycle too early" "s/left_q == 32'd1/left_q == 32'd2/"
+mutant "what moves does not count" 's/waits_i \&\& !moves_i/waits_i/'
+mutant "it is told when nothing is owed" 's/waits_i \&\& !moves_i/!moves_i/'
+mutant "it is told once" 's/(due   = still) /\1 \&\& !silent_q /'
+mutant "no longer silent as soon as it was told" "s/still \&\& \(silent_q \|\| due\)/due/"
+proof  control_restart "pipegs_control_restart+" "@default Cycles=4; @default; @default Cycles=13"
 mutant "the epoch turns while old reads are out" "s/(StateStop: if \()drained_i/\11'b1/"
 mutant "the epoch does not turn" 's/epoch_q <= !epoch_q/epoch_q <= epoch_q/'
-mutant "a frame is taken in the cycle of a give-up" 's/(state_q == StateRun) \&\& !give_up_i;/\1;/'
+mutant "a frame is taken in the cycle of a give-up" 's/(ready_o     = !apart_q) \&\& !give_up_i;/\1;/'
 mutant "the core is not in reset before the epoch turns" \
-       "/StateRun: if/,/end/s/core_rst_nq <= 1'b0/core_rst_nq <= 1'b1/"
+       "/StateApart: begin/,/end/s/core_rst_nq <= 1'b0/core_rst_nq <= 1'b1/"
 mutant "the core leaves reset as the epoch turns" \
        "/StateStop: if/,/end/s/(epoch_q <= !epoch_q;)/\1 core_rst_nq <= 1'b1;/"
+mutant "the core is in reset as soon as it is apart" \
+       "/StateRun: if/,/end/s/(apart_q <= 1'b1;)/\1 core_rst_nq <= 1'b0;/"
+mutant "the reset lasts a cycle" "s/StateTurned: if \(left_q == '0\)/StateTurned: if (1'b1)/"
+mutant "the core may begin as its reset ends" "s/default: if \(left_q == '0\)/default: if (1'b1)/"
+mutant "the tester does not own the reset of the core" 's/test_mode_i \? rst_ni : core_rst_nq/core_rst_nq/'
 mutant "a give-up is lost" 's/StateRun: if \(give_up_i\)/StateRun: if (give_up_i \&\& drained_i)/'
 
 # Few writes, then as many as the machine has.

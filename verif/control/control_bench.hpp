@@ -134,6 +134,7 @@ class ControlBench : public Endpoint {
     ASSERT_EQ(dut.irq_o, out.irq) << at();
     ASSERT_EQ(dut.abort_o, out.abort) << at();
     ASSERT_EQ(dut.frame_valid_o, out.frame_valid) << at();
+    ASSERT_EQ(dut.timeout_o, out.timeout) << at();
     if (out.frame_valid) check_frame();
     if (in.aw_valid && out.aw_ready) addresses_.pop_front(), in.aw_valid = false;
     if (in.w_valid && out.w_ready) writes_.pop_front(), in.w_valid = false;
@@ -159,8 +160,10 @@ class ControlBench : public Endpoint {
     auto& dut = bench.dut;
     write_manager_side(dut.s_axi_i, {in.aw_valid, in.w_valid, in.b_ready, in.ar_valid, in.r_ready, in.aw_address,
                                      in.ar_address, in.w_data, in.w_strobe});
-    dut.frame_ready_i = in.frame_ready, dut.busy_i = in.busy, dut.frame_done_i = in.frame_done;
+    dut.frame_ready_i = in.frame_ready, dut.apart_i = in.apart, dut.busy_i = in.busy, dut.frame_done_i = in.frame_done;
+    dut.silent_i = in.silent;
     dut.error_i = static_cast<CData>(in.errors);
+    dut.located_i = static_cast<CData>(in.located);
     Words lines(port_words<decltype(dut.error_address_i)>() + 2), counts(port_words<decltype(dut.counters_i)>() + 2);
     for (int i = 0; i < kErrorCauses; ++i) {
       put_bits(lines.data(), i * config.address_w(), config.address_w(), in.error_lines[static_cast<size_t>(i)]);

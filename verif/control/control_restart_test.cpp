@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // control_restart_test: rtl/control/pipegs_control_restart.sv against its model in every cycle, and what it promises.
 //
-// The memory side is played as far as it counts here: reads of each epoch that are unanswered. A core that is not in
-// reset asks for more at random, so the epoch may turn only while it is.
+// The memory side is played as far as it counts here: reads of each epoch that are unanswered. A core that is not kept
+// apart asks for more at random, so the epoch may turn only while it is.
 #include "Vpipegs_control_restart.h"
 #include "cpp_model/control/control_restart.hpp"
 #include "verif/support/bench.hpp"
@@ -14,7 +14,7 @@ class Restart : public testing::Test, protected Endpoint {
  protected:
   Restart() {
     bench.add(*this);
-    bench.dut.give_up_i = bench.dut.drained_i = 0;
+    bench.dut.give_up_i = bench.dut.drained_i = bench.dut.test_mode_i = 0;
     bench.reset();
   }
   void drive() override {
@@ -32,6 +32,7 @@ class Restart : public testing::Test, protected Endpoint {
     const bool give_up = dut.give_up_i;
     ASSERT_EQ(dut.epoch_o, model.epoch()) << at;
     ASSERT_EQ(dut.core_rst_no, !model.core_reset()) << at;
+    ASSERT_EQ(dut.apart_o, model.apart()) << at;
     ASSERT_EQ(dut.ready_o, model.ready(give_up)) << at;
     // In its own words, beside the model.
     if (dut.epoch_o != epoch_) {
@@ -39,13 +40,19 @@ class Restart : public testing::Test, protected Endpoint {
       ASSERT_TRUE(drained_) << "the epoch turned before the reads of the one before were answered, " << at;
       ++turns;
     }
-    if (given_up_) { ASSERT_FALSE(dut.core_rst_no) << "given up, and the core is not in reset, " << at; }
-    if (!dut.core_rst_no || give_up) { ASSERT_FALSE(dut.ready_o) << "a frame may be taken in reset, " << at; }
+    if (given_up_) { ASSERT_TRUE(dut.apart_o) << "given up, and the core is not kept apart, " << at; }
+    if (dut.apart_o || give_up) { ASSERT_FALSE(dut.ready_o) << "a frame may be taken, " << at; }
+    if (!dut.core_rst_no && low_ == 0) { ASSERT_GT(apart_, 0) << "in reset, and not apart before, " << at; }
+    if (dut.core_rst_no && low_ > 0) { ASSERT_GE(low_, Config::reset_cycles()) << "a short reset, " << at; }
+    if (dut.core_rst_no) ++high_;
+    else high_ = 0;
+    if (!dut.apart_o && apart_ > 0) { ASSERT_GT(high_, Config::reset_cycles()) << "soon behind the reset, " << at; }
     low_ = dut.core_rst_no ? 0 : low_ + 1;
+    apart_ = dut.apart_o ? apart_ + 1 : 0;
     longest = std::max(longest, low_);
-    given_up_ = give_up && dut.core_rst_no;
+    given_up_ = give_up && !dut.apart_o;
     drained_ = dut.drained_i;
-    if (dut.core_rst_no && reads_ < 20 && bench.rng() % 2 == 0) ++reads_;
+    if (!dut.apart_o && reads_ < 20 && bench.rng() % 2 == 0) ++reads_;
     model.step(give_up, drained_);
     turned_ = model.epoch() != (dut.epoch_o != 0);
     epoch_ = dut.epoch_o;
@@ -53,7 +60,8 @@ class Restart : public testing::Test, protected Endpoint {
 
   void forget() {  // the machine is reset
     model.reset();
-    reads_ = old_reads_ = low_ = 0;
+    reads_ = old_reads_ = low_ = high_ = 0;
+    apart_ = 1;
     epoch_ = 0;
     turned_ = given_up_ = drained_ = false;
   }
@@ -64,7 +72,8 @@ class Restart : public testing::Test, protected Endpoint {
   uint64_t turns = 0;
 
  private:
-  int reads_ = 0, old_reads_ = 0, low_ = 0;
+  int reads_ = 0, old_reads_ = 0;
+  int low_ = 0, high_ = 0, apart_ = 1;  // cycles until now: in reset, out of it, kept apart
   CData epoch_ = 0;
   bool turned_ = false, given_up_ = false, drained_ = false;
 };
@@ -82,23 +91,41 @@ TEST_F(Restart, KeepsItsPromisesAtEveryPace) {
   EXPECT_GT(longest, 20);
 }
 
-TEST_F(Restart, TakesTwoCyclesWhenNothingIsOut) {
+TEST_F(Restart, ResetsForItsCyclesWhenNothingIsOut) {
   auto& dut = bench.dut;
-  for (int i = 0; i < 5; ++i) bench.step();
-  ASSERT_EQ(dut.core_rst_no, 1);
+  const int cycles = Config::reset_cycles();
+  for (int i = 0; i < 3 * cycles; ++i) bench.step();
+  ASSERT_EQ(dut.apart_o, 0);
   const CData epoch = dut.epoch_o;
   give_up_percent = 100;
   bench.step();
   give_up_percent = 0;
-  std::vector<std::pair<int, int>> seen;  // core in reset, epoch turned
-  for (int i = 0; i < 4; ++i) {
-    seen.push_back({dut.core_rst_no == 0, dut.epoch_o != epoch});
-    bench.step();
+  int apart = 0, low = 0, turned = 0;
+  for (; dut.apart_o; bench.step()) {
+    EXPECT_EQ(dut.core_rst_no, apart == 0 || apart > cycles + 1) << "cycle " << apart;
+    ++apart;
+    low += !dut.core_rst_no;
+    turned += !dut.core_rst_no && dut.epoch_o != epoch;
   }
-  EXPECT_EQ(seen, (std::vector<std::pair<int, int>>{{1, 0}, {1, 1}, {0, 1}, {0, 1}}));
+  EXPECT_EQ(apart, 2 * cycles + 2);
+  EXPECT_EQ(low, cycles + 1);
+  EXPECT_EQ(turned, cycles);
 }
 
-// A reset of the machine: whatever was, the first epoch begins, and the core leaves reset a cycle later.
+// The tester's reset passes at once, whatever the flip-flops hold.
+TEST_F(Restart, PassesTheResetInTheScanTest) {
+  auto& dut = bench.dut;
+  dut.test_mode_i = 1;
+  for (int i = 0; i < 400; ++i) {
+    dut.rst_ni = bench.rng() % 2;
+    dut.give_up_i = bench.rng() % 2;
+    dut.clk_i = bench.rng() % 2;
+    dut.eval();
+    ASSERT_EQ(dut.core_rst_no, dut.rst_ni) << "change " << i;
+  }
+}
+
+// A reset of the machine: whatever was, the first epoch begins, and the core leaves reset its cycles later.
 TEST_F(Restart, BeginsAgainAfterAReset) {
   for (int round = 0; round < 40 && !HasFatalFailure(); ++round) {
     give_up_percent = round % 2 == 0 ? 20 : 0;

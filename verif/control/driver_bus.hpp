@@ -2,8 +2,8 @@
 // driver_bus.hpp: the bit-accurate model of the registers as the driver's bus, and a machine behind it.
 //
 // Each access is a handshake of AXI4-Lite whose pauses are random. The machine takes a queued frame, works for a random
-// number of cycles on it, one frame at a time, and gives it up when the registers tell it to. A refused access is an
-// error of the driver: the test fails.
+// number of cycles on it, one frame at a time, and gives it up when the registers tell it to, or when its memory is
+// silent for too long. A refused access is an error of the driver: the test fails.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "cpp_model/control/control_registers.hpp"
+#include "cpp_model/control/control_watch.hpp"
 #include "cpp_model/driver/pipegs.h"
 
 namespace pipegs {
@@ -66,20 +67,24 @@ class DriverBus {
 
   void step() {
     const ControlOutputs out = model.outputs();
-    in.busy = left_ > 0 || draining_ > 0;
+    const bool gives_up = out.abort || watch_.tell();
+    in.silent = watch_.silent();
+    in.busy = left_ > 0 || (draining_ > 0 && !watch_.silent());
     in.frame_ready = left_ == 0 && draining_ == 0 && takes && rng() % 4 == 0;
-    in.frame_done = left_ == 1 && takes;
-    in.errors = errors, errors = 0;
-    if (left_ > 0 && (left_ > 1 || takes)) --left_;
+    in.frame_done = left_ == 1 && takes && answers;
+    in.errors = errors | (watch_.tell() ? PIPEGS_ERROR_READ_TIMEOUT : 0), errors = 0;
+    watch_.step(out.timeout, left_ > 0 || draining_ > 0, answers);
+    if (left_ > 0 && (left_ > 1 || takes) && answers) --left_;
     if (out.frame_valid && in.frame_ready) {
       frames.push_back(model.shadow());
       left_ = 1 + static_cast<int>(rng() % 300);
     }
-    if (draining_ > 0 && drains) --draining_;
-    if (out.abort) {
-      if (in.busy) draining_ = 1 + static_cast<int>(rng() % 100);  // what was asked of memory still comes
-      left_ = 0, in.frame_done = false, ++aborts;
+    if (draining_ > 0 && answers) --draining_;
+    if (gives_up) {
+      if (left_ > 0) draining_ = 1 + static_cast<int>(rng() % 100);  // what was asked of memory still comes
+      left_ = 0, in.frame_done = false;
     }
+    aborts += out.abort;
     if (in.frame_done) ++done;
     for (uint64_t& count : in.counters) count = (count + 1) & ((uint64_t{1} << 40) - 1);
     if (at_step) at_step();
@@ -90,7 +95,7 @@ class DriverBus {
   ControlRegisters model;
   ControlInputs in;
   bool takes = true;    // false: it neither takes nor finishes a frame
-  bool drains = true;   // false: of what was asked of memory, something never comes
+  bool answers = true;  // false: its memory is silent
   uint32_t errors = 0;  // that come in the next cycle
   std::function<void()> at_step;
   int reads = 0, idles = 0, aborts = 0;
@@ -102,6 +107,7 @@ class DriverBus {
   static constexpr int kNever = 100000;
   bool pause() { return rng() % 3 != 0; }
   int left_ = 0, draining_ = 0;
+  ControlWatch watch_;
 };
 
 }  // namespace pipegs

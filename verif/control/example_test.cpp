@@ -65,13 +65,21 @@ TEST_F(Example, SaysWhatWentWrong) {
   int cycle = 0;
   bus.at_step = [&] {
     if (!bus.frames.empty() && ++cycle == 1) {
-      bus.in.errors = PIPEGS_ERROR_READ_DECERR;
-      bus.in.error_lines[1] = 0x1234;
+      bus.in.errors = bus.in.located = PIPEGS_ERROR_WRITE_DECERR;
+      bus.in.error_lines[3] = 0x1234;
     }
   };
   EXPECT_EQ(pipegs_example(), 1);
-  EXPECT_EQ(said, "memory answered a read with DECERR; first: memory answered a read with DECERR, at 0x48d00");
+  EXPECT_EQ(said, "memory answered a write with DECERR; first: memory answered a write with DECERR, at 0x48d00");
   EXPECT_EQ(bus.aborts, 1);
+}
+
+// A memory that answers nothing, for as long as the machine itself allows: the program ends.
+TEST_F(Example, EndsWhereMemoryIsSilent) {
+  bus.answers = false;
+  bus.write(PIPEGS_BUS_TIMEOUT, 5000);  // what a reset leaves is too long for a test
+  EXPECT_EQ(pipegs_example(), 1);
+  EXPECT_EQ(said, "memory did not answer a read for BUS_TIMEOUT cycles");
 }
 
 // A machine with other records than the scene was packed for.

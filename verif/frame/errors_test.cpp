@@ -28,6 +28,15 @@ class ErrorFrame : public RtlTaps {
   const Config& config() const { return options_.config; }
   const PackedScene& packed() const { return simulation_.packed; }
 
+  // Pixels in raster order, with so many lines to spare in each row.
+  const Picture& in_raster_order(uint64_t spare) {
+    Picture& picture = simulation_.input.picture;
+    picture = raster_picture(frame.tables.pixels, frame.raster.width);
+    picture.stride += spare;
+    areas = frame_areas(config(), packed(), frame, picture);
+    return picture;
+  }
+
   // Changes every node of a table that has children, in memory alone.
   void change(const std::vector<Node>& nodes, uint64_t table, const std::function<void(Node&)>& edit) {
     std::vector<uint32_t> words(static_cast<size_t>(record_words<Node>(config())));
@@ -50,7 +59,8 @@ class ErrorFrame : public RtlTaps {
     std::optional<MachineError> found;
     frames_ = 0;
     try {
-      load_rtl(config())->run({frame_job(config(), frame, areas)}, memory, options_.rtl, &taps, {});
+      load_rtl(config())->run({frame_job(config(), frame, areas, simulation_.input.picture)}, memory, options_.rtl,
+                              &taps, {});
     } catch (const MachineError& error) { found = error; }
     EXPECT_EQ(frames_, found ? 0 : 1);
     if (compares) { EXPECT_EQ(check.frame(0).mismatches(), 0u) << check.frame(0).first()->what; }
@@ -65,7 +75,9 @@ class ErrorFrame : public RtlTaps {
     const auto in = [&](uint64_t first, uint64_t count) { return line >= first && last - first < count; };
     const bool scene = in(t.cells, areas.cells) || in(t.groups, areas.groups) || in(t.chunks, areas.chunks) ||
                        in(t.gaussians, areas.gaussians) || in(t.colors, areas.colors);
-    const bool own = in(t.overflow, areas.overflow) || (write && in(t.pixels, areas.pixels));
+    const Picture& p = simulation_.input.picture;
+    const bool pixels = p.format != 0 ? in(p.base, areas.picture) : in(t.pixels, areas.pixels);
+    const bool own = in(t.overflow, areas.overflow) || (write && pixels);
     ASSERT_TRUE(own || (scene && !write)) << "tag " << tag << (write ? " writes" : " reads") << " line " << line;
   }
 
@@ -116,6 +128,22 @@ TEST(Errors, PixelsThatHaveNoRoomAreAnError) {
     ASSERT_TRUE(error) << config_difference(one.config());
     EXPECT_EQ(error->cause, MachineError::kAreaFull);
     EXPECT_EQ(error->line, one.frame.tables.pixels + one.areas.pixels);
+  }
+}
+
+// A picture in raster order has an area, too: with the last line of its last row it is written, and with a line less
+// nothing is.
+TEST(Errors, APictureInRasterOrderThatHasNoRoomIsAnError) {
+  for (const size_t number : todays(kErrorMachines)) {
+    ErrorFrame one(number, random_scene(72, 100, 0), test_camera(150, 70));
+    const Picture& picture = one.in_raster_order(1);
+    one.areas.picture = 69 * picture.stride + (150 + 15) / 16;
+    EXPECT_FALSE(one.run()) << config_difference(one.config());
+    --one.areas.picture;
+    const auto error = one.run();
+    ASSERT_TRUE(error) << config_difference(one.config());
+    EXPECT_EQ(error->cause, MachineError::kAreaFull);
+    EXPECT_EQ(error->line, picture.base + one.areas.picture);
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "cpp_model/areas/frame_areas.hpp"
 #include "cpp_model/control/job.hpp"
+#include "sim/compare/sequence_check.hpp"
 #include "sim/rtl/rtl_fault.hpp"
 #include "verif/frame/machines.hpp"
 #include "verif/frame/scenes.hpp"
@@ -144,6 +145,37 @@ TEST(Sequence, WhatIsGivenUpInTheMiddleLeavesNothingBehind) {
       sequence.add(second, test_camera(96, 64));
       sequence.expect_equal();
       if (HasFatalFailure()) return;
+    }
+  }
+}
+
+// Memory stops to do one thing after the other that a bus must do, for longer than the machine allows: the machine says
+// so, is done with, and when memory has come back the frame is rendered as if nothing had been.
+TEST(Sequence, AMemoryThatFallsSilentIsGotOver) {
+  SimulateOptions options = machine(kFast);
+  Simulation simulation;
+  simulate_golden(random_scene(70, 600, 1), test_camera(130, 70), options, simulation);
+  const Areas areas = frame_areas(options.config, simulation.packed, simulation.input.frame);
+  const pipegs_job job = frame_job(options.config, simulation.input.frame, areas);
+  const uint32_t read = PIPEGS_ERROR_READ_TIMEOUT, write = PIPEGS_ERROR_WRITE_TIMEOUT;
+  const std::unique_ptr<RtlModel> model = load_rtl(options.config);
+  for (const bool harsh : {false, true}) {
+    for (const auto& [what, silence, told] : {std::tuple{"AR", AxiSilence{.ar = true}, read},
+                                              {"R", {.r = true}, read},
+                                              {"AW", {.aw = true}, write},
+                                              {"W", {.w = true}, write},
+                                              {"B", {.b = true}, write}}) {
+      SCOPED_TRACE(fmt::format("{}, {}", what, harsh ? "harsh" : "timed"));
+      options.memory.harsh = harsh;
+      options.rtl.bus_timeout = 1500;
+      options.rtl.disturbances = {{0, 900, RtlDisturbance::Kind::kSilence, silence, 20000}};
+      ExternalMemory memory(options.memory, options.config.bus_w);
+      memory.load(memory_image(simulation.packed).lines);
+      SequenceCheck check({{&simulation.input, &simulation.golden.pixels}}, memory, nullptr);
+      const RtlResult result = model->run({job}, memory, options.rtl, &check, {});
+      EXPECT_EQ(result.errors, told);
+      EXPECT_EQ(check.complete(), 1u);
+      ASSERT_EQ(check.frame(0).mismatches(), 0u) << check.frame(0).first()->what;
     }
   }
 }

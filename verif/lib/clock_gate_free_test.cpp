@@ -12,7 +12,7 @@ TEST(ClockGateFree, PassesTheClockAsItIs) {
   for (int i = 0; i < 1000; ++i) {
     const uint64_t inputs = bench.rng();
     bench.dut.rst_ni = inputs & 1;
-    bench.dut.test_en_i = inputs >> 1 & 1;
+    bench.dut.scan_en_i = inputs >> 1 & 1;
     bench.dut.enable_i = inputs >> 2 & 1;
     bench.dut.clk_i = inputs >> 3 & 1;
     bench.dut.eval();

@@ -10,7 +10,7 @@ namespace {
 TEST(ClockGate, PassesExactlyTheEdgesWhoseLowPhaseWasEnabled) {
   Bench<Vpipegs_clock_gate> bench;
   bench.dut.rst_ni = 1;
-  bench.dut.test_en_i = 0;
+  bench.dut.scan_en_i = 0;
   for (int i = 0; i < 1000; ++i) {
     const bool enable = bench.rng() % 2;
     bench.dut.clk_i = 0;
@@ -29,7 +29,7 @@ TEST(ClockGate, PassesExactlyTheEdgesWhoseLowPhaseWasEnabled) {
 void expect_every_edge(bool reset, bool test) {
   Bench<Vpipegs_clock_gate> bench;
   bench.dut.rst_ni = !reset;
-  bench.dut.test_en_i = test;
+  bench.dut.scan_en_i = test;
   bench.dut.enable_i = 0;
   for (int i = 0; i < 10; ++i) {
     bench.dut.clk_i = 0;

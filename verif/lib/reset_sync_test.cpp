@@ -9,7 +9,7 @@ namespace {
 // The module, whose clock and reset change one at a time, and how many edges passed since the reset rose.
 struct Reset {
   Reset() {
-    bench.dut.clk_i = 0, bench.dut.rst_ni = 1, bench.dut.test_en_i = 0;
+    bench.dut.clk_i = 0, bench.dut.rst_ni = 1, bench.dut.test_mode_i = 0;
     bench.dut.eval();
   }
   void clock(bool high) {
@@ -65,7 +65,7 @@ TEST(ResetSync, KeepsAPulseInWhichNoEdgeComes) {
 TEST(ResetSync, IsInResetFromPowerUpOnWithoutAFallingEdge) {
   for (uint64_t seed = 1; seed <= 8; ++seed) {  // the flip-flops start from noise
     Bench<Vpipegs_reset_sync> bench(seed);
-    bench.dut.clk_i = 0, bench.dut.rst_ni = 0, bench.dut.test_en_i = 0;
+    bench.dut.clk_i = 0, bench.dut.rst_ni = 0, bench.dut.test_mode_i = 0;
     bench.dut.eval();
     bench.dut.clk_i = 1;
     bench.dut.eval();
@@ -75,7 +75,7 @@ TEST(ResetSync, IsInResetFromPowerUpOnWithoutAFallingEdge) {
 
 TEST(ResetSync, PassesTheResetInTheScanTest) {
   Reset reset;
-  reset.bench.dut.test_en_i = 1;
+  reset.bench.dut.test_mode_i = 1;
   for (int i = 0; i < 200; ++i) {
     const bool low = reset.bench.rng() % 2;
     reset.reset(low);

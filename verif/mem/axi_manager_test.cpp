@@ -9,7 +9,8 @@ namespace pipegs {
 namespace {
 
 constexpr uint64_t kBase = 0x1234567000;
-const int kDataW = test_config().bus_w, kBeats = 512 / kDataW;
+const AxiWidths kWidths(test_config());
+const int kDataW = kWidths.data, kBeats = 512 / kDataW;
 
 struct Machine {
   explicit Machine(AxiMemoryOptions options)
@@ -139,15 +140,9 @@ TEST(AxiManager, EveryErrorIsToldOneCycleLaterAndAWriteWithItsLine) {
         machine.core.refused.insert(bad);
       }
     }
-    struct Watch : Endpoint {
-      std::function<void()> look;
-      void drive() override {}
-      void observe() override { look(); }
-    } watch;
-    machine.bench.add(watch);
-    watch.look = [&] {
+    Beside watch(machine.bench, [&] {
       const AxiSubordinateSide& shown = machine.port.shown();
-      const bool answered = shown.b.valid && axi_manager_side(dut.m_axi_o, kDataW).b_ready;
+      const bool answered = shown.b.valid && axi_manager_side(dut.m_axi_o, kWidths).b_ready;
       ASSERT_EQ(dut.error_o, errors) << "cycle " << machine.bench.cycle;
       if (errors >> 2 != 0) { ASSERT_EQ(dut.error_line_o, line) << "cycle " << machine.bench.cycle; }
       ASSERT_EQ(dut.writes_o, writes.size()) << "cycle " << machine.bench.cycle;
@@ -156,7 +151,7 @@ TEST(AxiManager, EveryErrorIsToldOneCycleLaterAndAWriteWithItsLine) {
       both += (dut.error_o & 3) != 0 && dut.error_o >> 2 != 0;
       errors = 0;
       if (shown.r.valid && shown.r.response != AxiResponse::kOkay) {
-        const bool now = shown.r.id >> 8 == dut.epoch_i;
+        const bool now = shown.r.id >> machine.core.config.tag_w() == dut.epoch_i;
         if (now) errors |= shown.r.response == AxiResponse::kDecodeError ? 2 : 1;
         dropped += !now;
       }
@@ -173,7 +168,7 @@ TEST(AxiManager, EveryErrorIsToldOneCycleLaterAndAWriteWithItsLine) {
         const auto request = read_record<MemoryRequest>(machine.core.config, dut.mem_request_i);
         if (request.write) writes.push_back({request.address, dut.epoch_i});
       }
-    };
+    });
     for (int round = 0; round < 40 && !testing::Test::HasFatalFailure(); ++round) {
       if (round > 0) machine.core.restart();
       for (int i = 0; i < 400; ++i) {
@@ -198,6 +193,66 @@ TEST(AxiManager, EveryErrorIsToldOneCycleLaterAndAWriteWithItsLine) {
   EXPECT_GT(dropped, 0u);
 }
 
+// What the manager says of reads or of writes that it waits for.
+struct Wait {
+  explicit Wait(uint64_t port) : waits(port & 1), moves(port >> 1 & 1), located(port >> 2 & 1), line(port >> 3) {}
+  bool waits, moves, located;
+  uint64_t line;
+};
+
+// Memory falls silent now and then, in one channel or in all: in each cycle the manager says whether anything is owed
+// and whether anything moves, and the line that it names is one that is owed.
+TEST(AxiManager, SaysWhatMemoryOwes) {
+  Machine machine(kHarsh);
+  auto& dut = machine.bench.dut;
+  std::map<uint32_t, std::deque<uint64_t>> reads;  // of each ID: lines of bursts that were taken and are not answered
+  std::deque<uint64_t> writes;                     // lines accepted and not answered
+  uint64_t still = 0, named = 0;                   // cycles in which a read is owed and nothing moves; with its line
+  Beside watch(
+      machine.bench,
+      [&] {
+        const AxiManagerSide shown = axi_manager_side(dut.m_axi_o, kWidths);
+        const AxiSubordinateSide& memory = machine.port.shown();
+        const Wait read(dut.read_wait_o), write(dut.write_wait_o);
+        const std::string at = "cycle " + std::to_string(machine.bench.cycle);
+        const bool asks = shown.ar.valid && memory.ar_ready, answered = memory.b.valid && shown.b_ready;
+        const uint64_t line = (shown.ar.address - kBase) / 64;
+        size_t out = 0;
+        bool owed = false;
+        for (const auto& [id, lines] : reads) {
+          out += lines.size();
+          owed = owed || std::find(lines.begin(), lines.end(), read.line) != lines.end();
+        }
+        ASSERT_EQ(read.waits, shown.ar.valid || out > 0) << at;
+        ASSERT_EQ(read.moves, asks || memory.r.valid) << at;
+        ASSERT_TRUE(read.located || !shown.ar.valid) << at;
+        if (read.located) { ASSERT_TRUE(shown.ar.valid ? read.line == line : owed) << at; }
+        still += read.waits && !read.moves;
+        named += read.waits && !read.moves && read.located;
+        ASSERT_EQ(write.waits, !writes.empty()) << at;
+        ASSERT_EQ(write.moves, (shown.aw.valid && memory.aw_ready) || (shown.w.valid && memory.w_ready) || answered)
+            << at;
+        if (write.located) { ASSERT_EQ(write.line, writes.front()) << at; }
+        if (asks) reads[shown.ar.id].push_back(line);
+        if (memory.r.valid && memory.r.last) reads[memory.r.id].pop_front();
+        if (answered) writes.pop_front();
+        if (dut.mem_valid_i && dut.mem_ready_o) {
+          const auto request = read_record<MemoryRequest>(machine.core.config, dut.mem_request_i);
+          if (request.write) writes.push_back(request.address);
+        }
+      },
+      [&] {
+        if (machine.bench.cycle % 100 != 0) return;
+        const uint64_t draw = machine.bench.rng() % 12;
+        machine.memory.silence = {draw == 0 || draw == 5, draw == 1 || draw == 5, draw == 2 || draw == 5,
+                                  draw == 3 || draw == 5, draw == 4 || draw == 5};
+      });
+  for (int i = 0; i < 4000; ++i) machine.core.push(machine.core.random_request());
+  machine.finish();
+  EXPECT_GT(still, 500u);
+  EXPECT_GT(named, still / 2);
+}
+
 // Two reads of one tag in a row, the first of which comes in any cycle about that of the answer to a write.
 TEST(AxiManager, ReadsStayInOrderWhenTheLastWriteIsAnswered) {
   Machine machine({.timing = {.latency = 5, .bytes_per_cycle = 64, .write_latency = 10}});
@@ -212,6 +267,25 @@ TEST(AxiManager, ReadsStayInOrderWhenTheLastWriteIsAnswered) {
     machine.finish();
   }
   EXPECT_EQ(machine.core.answered, 160u);
+}
+
+// An identifier is as wide as the ports need: over many reads of both epochs each of its bits is 0 and 1.
+TEST(AxiManager, EveryBitOfAnIdentifierIsUsed) {
+  Machine machine(kHarsh);
+  uint32_t ones = 0, zeros = 0;
+  Beside watch(machine.bench, [&] {
+    const AxiManagerSide shown = axi_manager_side(machine.bench.dut.m_axi_o, kWidths);
+    if (shown.ar.valid) ones |= shown.ar.id, zeros |= ~shown.ar.id;
+  });
+  for (int epoch = 0; epoch < 2; ++epoch) {
+    for (int i = 0; i < 500; ++i) machine.core.push(machine.core.random_request());
+    machine.finish();
+    machine.core.restart();
+  }
+  const int id_w = 1 + machine.core.config.tag_w();  // {epoch, tag}
+  EXPECT_EQ(ones, (1u << id_w) - 1);
+  EXPECT_EQ(zeros & ones, ones);
+  EXPECT_GE(2 * machine.core.config.memory_ports(), 1 << machine.core.config.tag_w()) << "half as many would do";
 }
 
 // As many as the parameters say are unanswered at once, and not more: the memory and the checker count, too.

@@ -85,7 +85,7 @@ class CorePort : public Endpoint {
       shown = *up_;
     } else {
       shown = random_request();
-      shown.tag = static_cast<int>(bench_.rng() & 0xff);
+      shown.tag = static_cast<int>(bench_.rng() >> (64 - config.tag_w()));
     }
     dut.mem_valid_i = up_.has_value();
     write_record(config, dut.mem_request_i,

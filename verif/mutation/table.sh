@@ -318,6 +318,8 @@ mutant pipegs_control_shadow "a value that does not exist is outside the table" 
        's/(read_hits\[i\] *= )/\1Width != 0 \&\& /' control_registers
 mutant pipegs_control_events "a later error replaces the first address" \
        "s/(error_i != '0) && kept == '0/\1/" control_registers
+mutant pipegs_control_events "an address that is not known is shown" 's/ & \{AddressW\{located_i\[i-1\]\}\}//' \
+       control_registers
 mutant pipegs_control_events "a clear wins over an event" \
        's/(error_next *= )\(error_q & (~clear_error_i\[Causes:0\])\)( \| .*);/\1(error_q\3) \& \2;/' control_registers
 mutant pipegs_control_events "frames started are counted when they are queued" \
@@ -333,14 +335,27 @@ mutant pipegs_control_registers "a start with an abort is an error" \
        's/(start_full_i\(control.start) && !control.abort_all/\1/'
 mutant pipegs_control_registers "the enables are written without strobes" \
        's/irq_enable_q\[2:0\] & ~write_mask\[2:0\]/3'"'"'d0/'
+mutant pipegs_control_registers "the time-out is written without strobes" "s/timeout_q & ~write_mask/32'd0/"
+mutant pipegs_control_registers "a reset leaves no time-out" "s/pipegs_pkg::ControlBusTimeoutReset/'0/"
 mutant pipegs_control_registers "the abort lasts" 's/(abort_q <= control.abort_all)/\1 || abort_q/'
+mutant pipegs_control_watch "one cycle too early" "s/left_q == 32'd1/left_q == 32'd2/"
+mutant pipegs_control_watch "what moves does not count" 's/waits_i && !moves_i/waits_i/'
+mutant pipegs_control_watch "it is told when nothing is owed" 's/waits_i && !moves_i/!moves_i/'
+mutant pipegs_control_watch "it is told once" 's/(due   = still) /\1 \&\& !silent_q /'
+mutant pipegs_control_watch "it is silent for a cycle" 's/still && \(silent_q \|\| due\)/due/'
 mutant pipegs_control_restart "the epoch turns while old reads are out" "s/(StateStop: if \()drained_i/\11'b1/"
 mutant pipegs_control_restart "the epoch does not turn" 's/epoch_q <= !epoch_q/epoch_q <= epoch_q/'
-mutant pipegs_control_restart "a frame is taken in the cycle of a give-up" 's/(state_q == StateRun) && !give_up_i;/\1;/'
+mutant pipegs_control_restart "a frame is taken in the cycle of a give-up" 's/(= !apart_q) && !give_up_i;/\1;/'
 mutant pipegs_control_restart "the core is not in reset before the epoch turns" \
-       "/StateRun: if/,/end/s/core_rst_nq <= 1'b0/core_rst_nq <= 1'b1/"
+       "/StateApart: begin/,/end/s/core_rst_nq <= 1'b0/core_rst_nq <= 1'b1/"
 mutant pipegs_control_restart "the core leaves reset as the epoch turns" \
        "/StateStop: if/,/end/s/(epoch_q <= !epoch_q;)/\1 core_rst_nq <= 1'b1;/"
+mutant pipegs_control_restart "the core is in reset as soon as it is apart" \
+       "/StateRun: if/,/end/s/(apart_q <= 1'b1;)/\1 core_rst_nq <= 1'b0;/"
+mutant pipegs_control_restart "the reset lasts a cycle" "s/(StateTurned: if \().*\) begin/\11'b1) begin/"
+mutant pipegs_control_restart "the core may begin as its reset ends" "s/(default: if \().*\) begin/\11'b1) begin/"
+mutant pipegs_control_restart "in the scan test the flip-flop stays in the way" 's/test_mode_i \? rst_ni : //'
+mutant pipegs_control_counters "counters are read while the core is kept apart" 's/hits\[i\] && !apart_i/hits[i]/'
 mutant pipegs_control_done "a frame is told before its writes are answered" "s/(done_o *= .*) && left_q == '0/\1/"
 mutant pipegs_control_done "a frame that was given up is told" 's/(done_o *= .*) && !give_up_i/\1/'
 mutant pipegs_control_done "those that wait survive a give-up" "s/(end else if \()give_up_i/\11'b0/"
@@ -397,6 +412,13 @@ mutant pipegs_axi_write "the strobes of the first beat are those of all" \
        's/written_q >> StepW/written_q/' axi_manager_256
 mutant pipegs_axi_write "a half of a line is written whole" "s/in_halves_i\[1\]/1'b1/" axi_manager_512
 mutant pipegs_axi_write "errors of the old core's writes are told" 's/ && done_epoch == epoch_i//' axi_manager_512
+mutant pipegs_axi_read "a read that is not taken is not owed" "s/(out_q \+ ReadsW'\()in_valid_i && free/\1asks/" \
+       axi_manager_512
+mutant pipegs_axi_read "a read that was answered is told as owed" \
+       "s/answered && m_axi_i.r.id == owed_id_q/1'b0/" axi_manager_512
+mutant pipegs_axi_read "the line that is owed is told with the base" 's/ - base_i\[AddrW-1:12\]//' axi_manager_512
+mutant pipegs_axi_write "a beat that leaves is nothing that moves" 's/ \|\| \(w_valid_q && m_axi_i.w_ready\)//' \
+       axi_manager_128
 mutant pipegs_axi_read "errors of the old core's reads are told" \
        's/(error_o *= )now && /\1m_axi_i.r_valid \&\& /' axi_manager_512
 mutant pipegs_axi_manager "of two errors in a cycle the read's is lost" \
@@ -416,8 +438,11 @@ mutant pipegs_layer_free "counters of one bit: no drift of two layers" 's/(Count
 mutant pipegs_errors "an error is told in every cycle" 's/found & ~known_q/found/' errors_unit
 mutant pipegs_errors "what comes second changes the line" 's/found\[1\] && !known_q\[1\]/found[1]/' errors_unit
 mutant pipegs_errors "the pixels of the last window need no room" "s/NumberW'\(1\);/NumberW'(0);/" errors_unit
-mutant pipegs_errors "raster order: the pixels need room in an area that they do not lie in" \
-       "s/restart_i && by_windows_i/restart_i/" errors_unit
+mutant pipegs_errors "raster order: the row below the frame needs room" "s/rows_q - 1'b1/rows_q/" errors_unit
+mutant pipegs_errors "raster order: the last line needs no room" \
+       "s/(>> InLine\)) \+ NeedW'\(1\)/\1/" errors_unit
+mutant pipegs_errors "raster order: rows below the image need room" "s/(rows_q +<= ).*;/\1SizeW'(below);/" errors_unit
+mutant pipegs_errors "raster order: as much room as by windows" "s/by_windows_i \?/1'b1 ?/" errors_unit
 mutant pipegs_errors "a bad scene stops nothing" \
        "s/(stop_o *= known_q)/\1[0]/; s/stop_o(.*) != '0/stop_o\1/" errors_unit
 mutant pipegs_scheduler "one complete RU ends the frame" \
@@ -471,7 +496,7 @@ mutant pipegs_clock_gate "a clock that never stops stops in reset" \
        's/clk_o = clk_i;/clk_o = clk_i \& rst_ni;/' clock_gate_free
 mutant pipegs_reset_sync "the reset comes with the clock" 's/ or negedge rst_ni//'
 mutant pipegs_reset_sync "one flip-flop" "s/\{release_q\[0\], 1'b1\}/2'b11/"
-mutant pipegs_reset_sync "in the scan test the flip-flops stay in the way" 's/test_en_i \? rst_ni : //'
+mutant pipegs_reset_sync "in the scan test the flip-flops stay in the way" 's/test_mode_i \? rst_ni : //'
 mutant pipegs_sram "the output changes without a read" 's/if \(read_i\) rdata_o/rdata_o/'
 mutant pipegs_sram "a read of the word that is written shows the new one" 's/(rdata_o <= )DataW.*;/\1wdata_i;/'
 mutant pipegs_sram "such a read shows the same each time" 's/(noise_q <= )noise_q .*;/\1noise_q;/'

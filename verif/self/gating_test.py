@@ -16,7 +16,7 @@ import gating  # noqa: E402
 PORTS = [
     ("clk_i", "input", 1),
     ("rst_ni", "input", 1),
-    ("test_en_i", "input", 1),
+    ("scan_en_i", "input", 1),
     ("enable_i", "input", 1),
     ("clk_o", "output", 1),
 ]

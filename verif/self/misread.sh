@@ -25,6 +25,7 @@ plant "a comparison with a sum that holds a sized cast" "  assign y = a_q == b_q
 plant "a comparison with a sum that holds a sized cast" "  assign y = b_q + W'(c) != a_q;"
 plant "an element of an array in a concatenation on an output port" \
   "  logic [3:0] words [4]; sub u_sub (.out_o({bits[2], words[2]}));"
+plant "a number of ten digits without a width" "  localparam logic [KF-1:0] KFull = KF'(3098164009);"
 printf '%b' 'module planted;\n  logic [3:0] words [4];\n' \
   '  sub u_sub (.a_i({words[2]}), .b_o({bits[2], one}));\nendmodule\n' > "$scratch/planted.sv"
 "$search" "$scratch/planted.sv" || { echo "found where nothing is"; failed=1; }

@@ -112,7 +112,7 @@ def lint(folder, name, text, *options):
 def instance(folder):
     found = ports.ports(pathlib.Path(f"{folder}/fast/pipegs_pkg.sv").read_text(encoding="utf-8"))
     template = pathlib.Path(f"{folder}/fast/pipegs_axi_instance.svh").read_text(encoding="utf-8")
-    if len(found) != ports.header().count("\n  input ") + ports.header().count("\n  output ") or len(found) != 56:
+    if len(found) != ports.header().count("\n  input ") + ports.header().count("\n  output ") or len(found) != 57:
         finds.append(f"{len(found)} ports of pipegs_axi, not all")
     quiet = "/* verilator lint_off UNUSED */ /* verilator lint_off UNDRIVEN */ /* verilator lint_off DECLFILENAME */"
     log = lint(folder, "around", f"module around;\n{quiet}\n{template}endmodule\n{ports.header()}\n);\nendmodule\n")

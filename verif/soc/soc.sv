@@ -66,7 +66,8 @@ module soc #(
   pipegs_axi #(.AddrW(AddrW), .Base(40'h0)) u_pipegs (
     .aclk,
     .aresetn,
-    .test_en(1'b0),
+    .test_mode(1'b0),
+    .scan_enable(1'b0),
     .irq,
     .s_axi_awaddr(s_axi_i.aw_addr),
     .s_axi_awprot(3'b000),

@@ -206,6 +206,7 @@ TEST_F(Soc, AnErrorOfTheMemoryComesToTheDriver) {
   fails(job_.frame.tables_colors, PIPEGS_ERROR_READ_DECERR);
 
   job_.picture = {.format = 1, .base = memory_.pixels, .stride = 832};
+  job_.areas.picture = 832 * 136;
   ASSERT_EQ(render(), PIPEGS_OK);
   size_t wrong = 0;
   system_.dma.got = [&](uint64_t address, const SocBeat& beat) {

@@ -18,7 +18,7 @@ class AxiPort : public Endpoint {
     bench.add(*this);
   }
   void drive() override { write_side(memory_.step()); }
-  void observe() override { memory_.observe(axi_manager_side(bench_.dut.m_axi_o, data_w_)); }
+  void observe() override { memory_.observe(axi_manager_side(bench_.dut.m_axi_o, widths_)); }
   const AxiSubordinateSide& shown() const { return shown_; }  // by the memory in this cycle
 
  private:
@@ -27,13 +27,13 @@ class AxiPort : public Endpoint {
     // What stands beside a low valid is noise.
     AxiSubordinateSide noise;
     for (uint32_t& word : noise.r.data) word = static_cast<uint32_t>(bench_.rng());
-    noise.r.id = noise.b.id = static_cast<uint32_t>(bench_.rng() & 0x1ff);
+    noise.r.id = noise.b.id = static_cast<uint32_t>(bench_.rng() >> (64 - widths_.id));
     noise.r.last = bench_.rng() & 1;
     noise.r.response = noise.b.response = static_cast<AxiResponse>(bench_.rng() & 3);
-    write_subordinate_side(bench_.dut.m_axi_i, data_w_, side, &noise);
+    write_subordinate_side(bench_.dut.m_axi_i, widths_, side, &noise);
   }
 
-  const int data_w_ = test_config().bus_w;
+  const AxiWidths widths_{test_config()};
   Bench<Dut>& bench_;
   AxiMemory& memory_;
   AxiSubordinateSide shown_;

@@ -12,7 +12,7 @@ namespace pipegs {
 
 inline constexpr uint64_t kWideLines = uint64_t{1} << 33, kOverflowLines = uint64_t{1} << 30;
 inline Areas wide_areas() {
-  return {kWideLines, kWideLines, kWideLines, kWideLines, kWideLines, kWideLines, kOverflowLines};
+  return {kWideLines, kWideLines, kWideLines, kWideLines, kWideLines, kWideLines, kOverflowLines, kWideLines};
 }
 inline Span wide_overflow(const Frame& frame) { return overflow_span(frame, wide_areas()); }
 

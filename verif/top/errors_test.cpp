@@ -10,7 +10,7 @@ namespace {
 
 struct ErrorsBench : Bench<Vpipegs_errors> {
   ErrorsBench() {
-    dut.restart_i = dut.full_i = dut.bad_i = dut.by_windows_i = 0;
+    dut.restart_i = dut.full_i = dut.bad_i = dut.by_windows_i = dut.stride_i = 0;
     reset();
   }
   uint64_t told(int cause) {
@@ -24,10 +24,11 @@ struct ErrorsBench : Bench<Vpipegs_errors> {
     put_bits(words.data(), config.address_w(), config.address_w(), second);
     write_port(dut.full_line_i, words.data());
   }
-  void begin(const Raster& raster, const Span& pixels, bool by_windows) {
+  void begin(const Raster& raster, const Span& pixels, bool by_windows, uint64_t stride) {
     write_record(config, dut.raster_i, raster);
     write_record(config, dut.pixels_i, pixels);
     dut.by_windows_i = by_windows;
+    dut.stride_i = static_cast<SData>(stride);
     dut.restart_i = 1;
     step();
     dut.restart_i = 0;
@@ -66,28 +67,34 @@ TEST(Errors, EachCauseIsToldOnceWithTheLineThatCameFirst) {
   }
 }
 
-TEST(Errors, PixelsUpToTheLastWindowNeedTheirRoom) {
+// By windows, or down to the last row and as far as the last column of the frame, whatever the stride is.
+TEST(Errors, PixelsUpToTheLastOneNeedTheirRoom) {
   const Config config = test_config();
   const auto side = static_cast<uint64_t>(config.window);
   const uint64_t lines = static_cast<uint64_t>(config.region_lines() * config.regions());
-  for (int round = 0; round < 300; ++round) {
+  for (int round = 0; round < 600; ++round) {
     ErrorsBench bench;
     Raster raster;
     raster.width = 1 + bench.rng() % std::min<uint64_t>(16384, 1024 * side);
     raster.height = 1 + bench.rng() % std::min<uint64_t>(16384, 1024 * side);
     const uint64_t columns = (raster.width + side - 1) / side, rows = (raster.height + side - 1) / side;
-    raster.windows.last_x = bench.rng() % columns, raster.windows.last_y = bench.rng() % rows;
-    const uint64_t need = (raster.windows.last_y * columns + raster.windows.last_x + 1) * lines;
+    const bool whole = bench.rng() % 3 == 0, by_windows = round % 3 == 0;
+    raster.windows.last_x = whole ? columns - 1 : bench.rng() % columns;
+    raster.windows.last_y = whole ? rows - 1 : bench.rng() % rows;
+    const uint64_t stride = bench.rng() % (uint64_t{1} << config.stride_w());
+    const uint64_t right = std::min(raster.width, (raster.windows.last_x + 1) * side);
+    const uint64_t below = std::min(raster.height, (raster.windows.last_y + 1) * side);
+    const uint64_t need = by_windows ? (raster.windows.last_y * columns + raster.windows.last_x + 1) * lines
+                                     : (below - 1) * stride + (right + 15) / 16;
     const uint64_t room = need - 1 + round % 2;
-    const bool by_windows = round % 3 != 0;
-    bench.begin(raster, {1000, room}, by_windows);
+    bench.begin(raster, {1000, room}, by_windows, stride);
     int told = 0;
     for (int i = 0; i < 5; ++i) {
       bench.step();
       told += bench.dut.error_o;
     }
-    ASSERT_EQ(told, by_windows && room < need ? 1 : 0)
-        << columns << " columns, need " << need << ", seed " << bench.seed;
+    ASSERT_EQ(told, room < need ? 1 : 0) << columns << " columns, need " << need << ", stride " << stride << ", seed "
+                                         << bench.seed;
     if (told != 0) { ASSERT_EQ(bench.told(0), 1000 + room); }
     ASSERT_EQ(bench.dut.stop_o, told != 0);
   }

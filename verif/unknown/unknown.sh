@@ -49,7 +49,8 @@ grep -q 'unknown_bench\.forgets' "$work/top.v" || { echo "no valid of a line rea
       if (!sub(/_o$/, "_i", partner)) sub(/_i$/, "_o", partner)
       if (partner in seen) print name, "(dut." name " & dut." partner " )"
     }}'
-  sed -nE 's/^    if \(![^)]*\) (\S+) .*<= .*/\1 dut.\1 /p' "$work/top.v"; } | sort -u > "$work/names"
+  sed -nE 's/^    if \(![^)]*\) (\S+) .*<= .*/\1 dut.\1 /p' "$work/top.v" | tee "$work/reset"
+} | sort -u > "$work/names"
 count=$(wc -l < "$work/names")
 [ "$count" -gt 100 ] || { echo "only $count signals to watch"; exit 1; }
 awk -v count="$count" '
@@ -60,6 +61,15 @@ awk -v count="$count" '
     for (i = 1; i <= NR; i++) print "    " value[i] (i < NR ? "," : "")
     print "  } === 1\047bx) begin\n" checks "  end endtask"
   }' "$work/names" > "$work/watched.vh"
+
+# All that has a reset, in one word.
+sort -u "$work/reset" | awk '
+  {value[NR] = substr($0, index($0, " ") + 1)}
+  END {
+    print "  task take_reset_state; reset_state = {"
+    for (i = 1; i <= NR; i++) print "    " value[i] (i < NR ? "," : "")
+    print "  }; endtask"
+  }' >> "$work/watched.vh"
 
 cd "$work"
 iverilog -g2012 -s unknown_bench -o bench.vvp "$here/unknown_bench.v" "$here/sram_unknown.v" top.v reset.v

@@ -9,7 +9,8 @@
 //         it is valid, ready, done, busy, in its counters, in any signal of watched.vh (every valid, ready, enable of a
 //         clock, enable or address of a memory in it), in a request, in the halves that a write changes. A request lies
 //         in the memory; the lines of a read lie in one aligned group of eight. In the end each line of the pixels is
-//         there, each half written once, bit for bit.
+//         there, each half written once, bit for bit. Before the frame comes Alone cycles pass in which nothing does:
+//         what has a reset keeps what the reset gave it, so it does not matter in which of them a flip-flop is let go.
 // Fault   With +forgets the valids of the line readers forget whether there is a job (unknown.sh): an X must show.
 // Files   Of unknown_stimulus: sizes.vh, inputs.vh (ports taken with the frame), memory.hex, places.hex, expected.hex.
 //         Of unknown.sh: watched.vh.
@@ -22,6 +23,7 @@ module unknown_bench;
   localparam integer Places  = 1024;   // of lines that are asked for, a power of two
   localparam integer Patience = 20000; // cycles without a request
   localparam integer Shown = 20;       // faults
+  localparam integer Alone = 8;        // cycles behind the reset, ResetCycles of the package
 
   reg                      clk, rst_n;
   wire                     core_rst_n;
@@ -35,9 +37,9 @@ module unknown_bench;
   wire [`COUNTER_W-1:0]    cycles, preprocess_cycles, overflow_lines;
   wire [`PERF_UNITS*4*`COUNTER_W-1:0] perf;
 
-  pipegs_reset_sync u_reset (.clk_i(clk), .rst_ni(rst_n), .test_en_i(1'b0), .rst_no(core_rst_n));
+  pipegs_reset_sync u_reset (.clk_i(clk), .rst_ni(rst_n), .test_mode_i(1'b0), .rst_no(core_rst_n));
   pipegs_top dut (
-    .clk_i(clk), .rst_ni(core_rst_n), .test_en_i(1'b0),
+    .clk_i(clk), .rst_ni(core_rst_n), .scan_en_i(1'b0),
     .frame_valid_i(frame_valid), .frame_ready_o(frame_ready), .done_o(done), .busy_o(busy),
     .error_o(error), .error_line_o(),
 `include "inputs.vh"
@@ -63,6 +65,8 @@ module unknown_bench;
 
   // --- what goes wrong ----------------------------------------------------------------------------------------------
   integer cycle, faults, quiet, i;
+  integer alone;  // cycles since the reset
+  reg [262143:0] reset_state, reset_state_first;  // of all that has a reset, and zeros
   reg     taken, over;
   reg     forgets;
   initial forgets = $test$plusargs("forgets") != 0;
@@ -86,7 +90,7 @@ module unknown_bench;
   task drive;
     begin
       noise       = {noise[14:0], noise[15] ^ noise[13] ^ noise[12] ^ noise[10]};
-      frame_valid = !taken;
+      frame_valid = !taken && alone >= Alone;
       mem_ready   = noise[1:0] != 2'b00;
       rsp_valid   = first != last && due[first % Places] <= cycle;
       rsp_tag     = rsp_valid ? tags[first % Places] : {`TAG_W{1'bx}};
@@ -105,6 +109,10 @@ module unknown_bench;
       known("mem_valid_o", mem_valid);
       known("a counter", ^{cycles, preprocess_cycles, overflow_lines, perf});
       watch;
+      if (alone <= Alone) take_reset_state;
+      if (alone == 0) reset_state_first = reset_state;
+      if (alone <= Alone && reset_state !== reset_state_first) fault("a register leaves its reset value by itself");
+      alone = alone + 1;
       quiet = quiet + 1;
       if (frame_valid && frame_ready === 1'b1) taken = 1'b1;
       if (mem_valid === 1'b1) begin
@@ -145,7 +153,7 @@ module unknown_bench;
     $readmemh("expected.hex", expected);
     $readmemh("places.hex", places);
     for (i = 0; i < 2 * `LINES; i = i + 1) writes[i] = 0;
-    first = 0; last = 0; cycle = 0; faults = 0; quiet = 0; taken = 1'b0; over = 1'b0; noise = 16'hace1;
+    first = 0; last = 0; cycle = 0; faults = 0; quiet = 0; alone = 0; taken = 1'b0; over = 1'b0; noise = 16'hace1;
     rst_n = 1'b0;
     while (faults < Shown && quiet <= Patience && !(over && busy === 1'b0)) begin
       clk = 1'b0;

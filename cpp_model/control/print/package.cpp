@@ -69,10 +69,13 @@ std::string print_package(const RegisterMap& map) {
     if (!reg.constant()) {
       text += fmt::format("  localparam logic [ControlAddressW-1:0] Control{}At = {}'h{:03x};\n", reg.camel_name,
                           map.address_bits, reg.offset);
-      continue;
     }
     uint32_t value = 0;
     for (const RegisterField& field : reg.fields) value |= field.value << field.low;
+    if (!reg.constant() && value != 0) {
+      text += fmt::format("  localparam logic [31:0] Control{}Reset = 32'h{:08x};\n", reg.camel_name, value);
+    }
+    if (!reg.constant()) continue;
     constants.push_back({fmt::format("{:04x}_{:08x}", reg.offset, value), reg.name});
   }
   text += "\n";

@@ -44,7 +44,8 @@ void AxiMemory::observe(const AxiManagerSide& manager) {
   if (manager.w.valid && shown_.w_ready) data_.push_back(manager.w);
   take_write();
   if (!options_.harsh) {
-    const std::optional<AxiLine> taken = timing_.end(manager.r_ready, manager.b_ready);
+    const std::optional<AxiLine> taken =
+        timing_.end(manager.r_ready && shown_.r.valid, manager.b_ready && shown_.b.valid);
     if (taken) take(*taken);
   }
   if (manager.r_ready) shown_.r.valid = false;
@@ -131,6 +132,9 @@ const AxiSubordinateSide& AxiMemory::step() {
   } else {
     step_timed();
   }
+  shown_.ar_ready = shown_.ar_ready && !silence.ar;
+  shown_.aw_ready = shown_.aw_ready && !silence.aw;
+  shown_.w_ready = shown_.w_ready && !silence.w;
   return shown_;
 }
 
@@ -167,7 +171,7 @@ void AxiMemory::step_harsh() {
   shown_.ar_ready = chance();
   shown_.aw_ready = chance() && address_.size() < 4;
   shown_.w_ready = chance() && data_.size() < 16;
-  if (!shown_.r.valid && chance()) {
+  if (!shown_.r.valid && !silence.r && chance()) {
     std::vector<uint32_t> due;
     for (const auto& [id, reads] : reads_) {
       if (reads.due.front() <= now_) due.push_back(id);
@@ -180,7 +184,7 @@ void AxiMemory::step_harsh() {
     if (!write.applied && (write.due > now_ || waiting.contains(write.id))) waiting.insert(write.id);
     if (!write.applied && !waiting.contains(write.id)) apply(write);
   }
-  if (shown_.b.valid || !chance()) return;
+  if (shown_.b.valid || silence.b || !chance()) return;
   std::set<uint32_t> seen;
   for (auto write = writes_.begin(); write != writes_.end(); ++write) {
     if (!seen.insert(write->id).second || !write->applied || !chance()) continue;
@@ -193,8 +197,8 @@ void AxiMemory::step_harsh() {
 void AxiMemory::step_timed() {
   timing_.step();
   shown_.ar_ready = shown_.aw_ready = shown_.w_ready = timing_.ready();
-  if (!shown_.r.valid && timing_.beat()) show_beat(timing_.beat_line().id);
-  if (!shown_.b.valid && timing_.answer()) {
+  if (!shown_.r.valid && !silence.r && timing_.beat()) show_beat(timing_.beat_line().id);
+  if (!shown_.b.valid && !silence.b && timing_.answer()) {
     show_answer(writes_.front().id, writes_.front().response);
     writes_.pop_front();
   }

@@ -36,6 +36,12 @@ struct AxiMemoryOptions {
   uint64_t seed = 1;                  // harsh
 };
 
+// What a memory does not do any more, as a broken one, or a bus that lost a transfer.
+struct AxiSilence {
+  bool ar = false, r = false;             // takes no read; answers none
+  bool aw = false, w = false, b = false;  // takes no address of a write, no data; answers no write
+};
+
 class AxiMemory {
  public:
   explicit AxiMemory(const AxiMemoryOptions& options);
@@ -49,6 +55,7 @@ class AxiMemory {
   void set_lines(uint64_t lines) { options_.size = lines * 64; }
   std::set<uint64_t> failing;           // lines that answer SLVERR
   int fail_reads = 0, fail_writes = 0;  // so many of those that are taken next answer SLVERR
+  AxiSilence silence;                   // from the next step on; what it owed before comes when it ends
   bool writing() const { return !writes_.empty() || !address_.empty() || !data_.empty(); }
   bool quiet() const { return bursts_ == 0 && !writing(); }
   uint64_t lines_read() const { return lines_read_; }

@@ -2,7 +2,8 @@
 // The end of rtl/control/pipegs_control_counters.sv in its proof: both words of a counter are of one moment.
 //
 // Rule    The low word of any counter of the table is its own; the high word is that which the counter had when its low
-//         word was read, if no other low word was read since. What is not hit, or not there, reads 0.
+//         word was read, if no other low word was read since. What is not hit, or not there, reads 0, and so does all
+//         that is read while apart_i is up.
 
 (* anyconst *) logic [$clog2(Counters+1)-1:0] number;  // any counter
 logic [WordW-1:0] low_word;
@@ -16,7 +17,7 @@ always_comb begin
   for (int unsigned i = 0; i < Counters; i += 1) begin
     if (32'(number) == i) begin
       low_word  = pipegs_pkg::ControlCounterTable[16*i+2 +: WordW];
-      its_count = counters_i[i*PerfW +: PerfW];
+      its_count = apart_i ? '0 : counters_i[i*PerfW +: PerfW];
     end
   end
 end

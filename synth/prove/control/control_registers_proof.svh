@@ -7,7 +7,7 @@
 //         not refused is in the table. A read outside the table reads 0 and is refused.
 
 logic        past_q, refused_q, start_q, abort_written_q, was_valid_q, was_ready_q, was_full_q;
-logic [31:0] was_enable_q, was_error_q;
+logic [31:0] was_enable_q, was_error_q, was_timeout_q;
 logic [pipegs_pkg::ControlShadowBits-1:0] was_q;
 
 proof_reset u_proof_reset (.clk_i, .rst_ni);
@@ -22,6 +22,7 @@ always_ff @(posedge clk_i) begin
   was_valid_q     <= frame_valid_o;
   was_ready_q     <= frame_ready_i;
   was_enable_q    <= irq_enable_q;
+  was_timeout_q   <= timeout_o;
   was_error_q     <= error;
   was_full_q      <= error.start_full;
   was_q           <= {picture_o, areas_o, frame_o};
@@ -39,6 +40,7 @@ always_comb begin
       assert (frame_valid_o == (!abort_o && (was_valid_q ? !was_ready_q : start_q)));
       assert (!was_valid_q || {picture_o, areas_o, frame_o} == was_q);
       assert (!refused_q || (irq_enable_q == was_enable_q && (was_error_q & ~error) == '0));
+      assert (!refused_q || timeout_o == was_timeout_q);
       assert (!refused_q || {picture_o, areas_o, frame_o} == was_q);
       assert (!(was_valid_q && start_q && !abort_written_q) || error.start_full);
       assert (!error.start_full || was_full_q || (was_valid_q && start_q && !abort_written_q));

@@ -77,7 +77,9 @@ always_comb begin
     assert (!(write_valid && read_valid));
     assert (!(accepts_read && mem_request_i.tag < TagW'(pipegs_pkg::WritePorts) && open_q != '0) || !\u_fence.passes );
     assert (!(accepts_read && !read_room));
+    assert (read_wait_o.waits == (reads != '0 || m_axi_o.read.ar_valid) && write_wait_o.waits == (open_q != '0));
     // invariants
+    assert (ProofReadsW'(\u_read.out_q ) == reads + ProofReadsW'(m_axi_o.read.ar_valid));
     assert (addresses <= ProofWritesW'(Writes) && lines <= ProofWritesW'(Writes));
     assert (sum == (ProofReadsW+IdW)'(reads));
     for (int unsigned i = 0; i < 1 << IdW; i += 1) assert (reads_of[i*ProofReadsW +: ProofReadsW] <= reads);

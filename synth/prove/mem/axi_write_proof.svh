@@ -50,6 +50,9 @@ always_comb begin
     assert (!(in_valid_i && in_ready_o) || ((!m_axi_o.aw_valid || m_axi_i.aw_ready) &&
                                             (!m_axi_o.w_valid || (m_axi_i.w_ready && m_axi_o.w.last))));
     assert (!error_o || (m_axi_i.b_valid && m_axi_o.b_ready && m_axi_i.b.resp[1]));
+    assert (wait_o.waits == (writes_o != '0) && (!wait_o.located || wait_o.waits));
+    assert (wait_o.moves == ((m_axi_o.aw_valid && m_axi_i.aw_ready) || (m_axi_o.w_valid && m_axi_i.w_ready) ||
+                             (m_axi_i.b_valid && m_axi_o.b_ready)));
     // invariants
     assert (addresses <= ProofW'(Writes) && lines <= ProofW'(Writes));
     assert (ProofW'(writes_o) == addresses + ProofW'(aw_valid_q));
