@@ -59,7 +59,8 @@ module pipegs_errors #(
   assign columns = (WindowW+1)'(((SizeW+1)'(raster_i.width) + (SizeW+1)'(pipegs_pkg::Window - 1)) >> Shift);
   assign right   = (SideW'(raster_i.windows.last_x) + 1'b1) << Shift;
   assign below   = (SideW'(raster_i.windows.last_y) + 1'b1) << Shift;
-  assign raster  = NeedW'(rows_q - 1'b1) * NeedW'(stride_i) + NeedW'((width_q - 1'b1) >> InLine) + NeedW'(1);
+  assign raster  = NeedW'(SizeW'(rows_q - 1'b1)) * NeedW'(stride_i) +
+                   (NeedW'(SizeW'(width_q - 1'b1)) >> InLine) + NeedW'(1);
   assign no_room = begun_q[1] && MostW'(need_q) > MostW'(pixels_i.lines);
 
   always_ff @(posedge clk_i or negedge rst_ni) begin

@@ -8,7 +8,7 @@
 // Model   A set of the slots in use, in its proof.
 
 module pipegs_slot_pool #(
-  parameter int unsigned Slots = 16,  // a power of two
+  parameter int unsigned Slots = 16,  // at least 2
   localparam int unsigned SlotW = $clog2(Slots)
 ) (
   input  logic             clk_i,
@@ -24,10 +24,6 @@ module pipegs_slot_pool #(
   output logic [SlotW:0]   used_o,   // slots in use
   output logic             active_o
 );
-
-  if (Slots < 2 || (Slots & (Slots - 1)) != 0) begin : gen_odd
-    $error("pipegs_slot_pool: Slots is not a power of two");
-  end
 
   logic [SlotW:0]             fresh_q;  // slots handed out for the first time
   logic [SlotW:0]             used_q;

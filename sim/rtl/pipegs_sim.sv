@@ -160,7 +160,7 @@ module pipegs_sim #(
     assign tap_answer_valid_o = u_axi.rsp_valid;
     assign tap_answer_tag_o   = u_axi.rsp_tag;
     assign done          = u_axi.u_host.done;
-    assign core_rst_n    = u_axi.u_host.core_rst_n;
+    assign apart         = u_axi.u_host.apart;
     `PIPEGS_LOOK(u_axi.u_host.u_core)
     logic unused_port;
     assign unused_port = &{1'b0, mem_ready_i, mem_rsp_valid_i, mem_rsp_tag_i, mem_rsp_data_i};

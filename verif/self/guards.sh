@@ -29,8 +29,6 @@ guard() {  # MODULE NAME=BEYOND NAME=WITHIN SENTENCE
 }
 guard pipegs_axi AddrW=39 AddrW=40 "AddrW is below 40"
 guard pipegs_axi Base=4032 Base=4096 "Base is not a multiple of 4096"
-guard pipegs_slot_pool Slots=12 Slots=16 "Slots is not a power of two"
-guard pipegs_slot_pool Slots=1 Slots=2 "Slots is not a power of two"
 guard pipegs_line_reader Lines=24 Lines=32 "Lines is not a power of two"
 guard pipegs_line_reader Lines=4 Lines=8 "Lines is not a power of two"
 guard pipegs_line_reader ItemsPerLine=4 ItemsPerLine=2 "ItemsPerLine is neither 1 nor 2"

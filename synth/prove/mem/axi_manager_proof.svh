@@ -14,6 +14,7 @@
 (* hierconn *) logic [$clog2(Fenced+1)-1:0] \u_fence.waiting ;
 (* hierconn *) logic \u_fence.passes ;
 (* hierconn *) logic [$clog2(Reads+1)-1:0] \u_read.reads_q ;
+(* hierconn *) logic [$clog2(Reads+1)-1:0] \u_read.out_q ;
 (* hierconn *) logic [3:0] \u_read.lines ;
 (* hierconn *) logic [LineW-1:0] \u_read.line ;
 localparam int unsigned ProofReadsW  = $clog2(Reads + 1) + 1;
