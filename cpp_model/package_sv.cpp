@@ -2,8 +2,8 @@
 // package_sv.cpp: prints rtl/pipegs_pkg.sv from config.def, records.def, registers.def: `package_sv [key=value ...]`.
 // `package_sv --corner SEED` prints instead the settings of the legal configuration that this seed makes (corners.hpp).
 //
-// The committed rtl/pipegs_pkg.sv is the default configuration, so rtl/ reads and builds on its own; a test compares it
-// with this program's output. Other configurations get a package of their own in their build folder.
+// The committed rtl/pipegs_pkg.sv is of the default machine without taps, so rtl/ reads and builds on its own; a test
+// compares it with this program's output. What is simulated or tested gets a package of its own in the build folder.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """machines.py: the package and the registers of every design point, without a build.
 
-C++ alone knows what follows from config.def (cpp_model/package_sv.cpp, control/print). What it prints for `fast` lies
-in package/ whole, and of the other design points what is different: a row of machines.csv says which lines of which
-file a machine has others for. `make package` writes them, and the test `package` holds them against the programs. All
-are without taps, which are for the harness alone.
+C++ alone knows what follows from config.def (cpp_model/package_sv.cpp, control/print). What it prints for `fast` is
+committed whole, the package in rtl/, and of the other design points what is different: a row of machines.csv says which
+lines of which file a machine has others for. `make package` writes them, and the test `package` holds them against the
+programs. All are without taps, which are for the harness alone.
 """
 import csv
 import difflib
@@ -17,6 +17,11 @@ DEFAULT = "fast"
 PRINTED = ("pipegs_pkg.sv", "pipegs_registers.csv")
 TABLE = ROOT / "package/machines.csv"
 HEAD = ["file", "line", "lines", "machines", "text"]  # `lines` lines from `line` on, the first 0, give way to `text`
+
+
+def committed(file):
+    """Where a file of the default machine lies, from the root of the project."""
+    return f"rtl/{file}" if file == "pipegs_pkg.sv" else f"package/{file}"
 
 
 def printed(build, settings):
@@ -75,7 +80,7 @@ def named(machine):
         rows = [row for row in csv.DictReader(file) if machine in row["machines"].split()]
     texts = {}
     for name in PRINTED:
-        base, out, at = (ROOT / "package" / name).read_text(encoding="utf-8").splitlines(), [], 0
+        base, out, at = (ROOT / committed(name)).read_text(encoding="utf-8").splitlines(), [], 0
         for row in (row for row in rows if row["file"] == name):
             if int(row["lines"]) or int(row["line"]) > at:
                 out += base[at : int(row["line"])]

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Printed by package/machine.py (`make package`): change that, never this file.
 // Top: pipegs_axi.
-package/pipegs_pkg.sv
+rtl/pipegs_pkg.sv
 rtl/buf/pipegs_memory_arbiter.sv
 rtl/buf/pipegs_memory_ports.sv
 rtl/buf/pipegs_slot_pool.sv

@@ -3,37 +3,37 @@
 // cpp_model/package_sv.cpp from config.def, records.def and control/registers.def of cpp_model (`make package`):
 // change those, never this file.
 //
-// Configuration: default.   Model  cpp_model/config.hpp, cpp_model/records.hpp
+// Configuration: fronts=2,window=128,group=16,late=1,order=2,quads=1,pos_w=18,base_w=14,mantissa_w=22,coeff_f=24,tight_cull=1,tight_boxes=1,tests=2,alpha_w=10,pixel_w=32,records=1408,bucket_bits=6,nearest_nodes=1024,mark_chunks=7,taps=0.   Model  cpp_model/config.hpp, cpp_model/records.hpp
 // Fixed point is written sI.F / uI.F; the first field of a record lies in its low bits.
 
 package pipegs_pkg;
 
   localparam int unsigned Units          = 4;  // PUs, SUs and RUs (1, 2 or 4), Table 2
-  localparam int unsigned Fronts         = 4;  // PUs that fetch and cull, at most all; every PU projects (1, 2 or 4)
+  localparam int unsigned Fronts         = 2;  // PUs that fetch and cull, at most all; every PU projects (1, 2 or 4)
   localparam int unsigned PixelsPerRow   = 2;  // pixels that one Row Unit computes in a cycle
   // side of a window (16, 32, 64 or 128); regions are 8x8 pixels, a window of 128 has four parts of 64
-  localparam int unsigned Window         = 64;
+  localparam int unsigned Window         = 128;
   localparam int unsigned Grid           = 4;  // cells of the orthogonal grid along one axis; 4 outdoor, 8 indoor
   localparam int unsigned Chunk          = 16;  // most Gaussians in one chunk
-  localparam int unsigned Group          = 32;  // most chunks in one group, the node between a cell and its chunks
+  localparam int unsigned Group          = 16;  // most chunks in one group, the node between a cell and its chunks
   localparam int unsigned ShDegree       = 3;  // highest SH degree that the colour hardware evaluates
   // 0: the PUs compute alphas and a store caches them; 1: coefficients are cached, the Row Units stand in the RUs
-  localparam int unsigned Late           = 0;
+  localparam int unsigned Late           = 1;
   // 0: layers (DOP); 1: global preprocessing into lists of the windows; 2: nearest chunk first, released by watermarks
-  localparam int unsigned Order          = 0;
+  localparam int unsigned Order          = 2;
   // 1: every pixel's power by the full quadratic form instead of differences (needs late)
   localparam int unsigned Quadratic      = 0;
   // 1: of a region the lanes blend only the quads of 2x2 pixels that a splat changes; 0: whole regions (1 needs late,
   // and quadratic = 0)
-  localparam int unsigned Quads          = 0;
+  localparam int unsigned Quads          = 1;
   localparam int unsigned WorldW         = 40;  // world coordinate, signed, unit 2^scene_exponent
   // offset of a mean from its chunk's centre, signed, unit 2^offset_exp world units
-  localparam int unsigned PosW           = 20;
+  localparam int unsigned PosW           = 18;
   localparam int unsigned QuatW          = 16;  // quaternion component, s0.(QuatW-1)
   localparam int unsigned ScaleMW        = 12;  // mantissa of a scale below its leading one
   localparam int unsigned ScaleEW        = 6;  // exponent of a scale; 0 is scale zero
   localparam int unsigned OpacityF       = 12;  // fraction of -log2(opacity), u4.F
-  localparam int unsigned BaseW          = 12;  // SH band 0 plus one half, s2.(BaseW-3)
+  localparam int unsigned BaseW          = 14;  // SH band 0 plus one half, s2.(BaseW-3)
   localparam int unsigned ShMW           = 11;  // mantissa of an SH coefficient of band 1 to 3, signed
   localparam int unsigned ShEW           = 5;  // exponent that the SH coefficients of one Gaussian share
   localparam int unsigned IndexW         = 24;  // index of a Gaussian in its scene file, breaks ties in depth
@@ -43,8 +43,8 @@ package pipegs_pkg;
   localparam int unsigned MeanF          = 12;  // fraction of a projected mean, s18.F pixel
   // 1: the PUs can lower a Gaussian's opacity by what the dilation adds to its area, for scenes trained so
   localparam int unsigned Antialias      = 0;
-  localparam int unsigned MantissaW      = 26;  // normalised mantissas of the projection, leading one included
-  localparam int unsigned CoeffF         = 28;  // fraction of the power coefficients A to F, log2 units
+  localparam int unsigned MantissaW      = 22;  // normalised mantissas of the projection, leading one included
+  localparam int unsigned CoeffF         = 24;  // fraction of the power coefficients A to F, log2 units
   localparam int unsigned PowerF         = 20;  // fraction of the Row Units' accumulators, log2 units
   localparam int unsigned AlphaCut       = 255;  // a pixel counts iff alpha >= 1/AlphaCut
   // 1: the regions of a Gaussian's box that hold a pixel that counts; 0: all regions of the box; 2: those that the
@@ -52,33 +52,33 @@ package pipegs_pkg;
   localparam int unsigned TileTest       = 1;
   // 1: a Gaussian is also dropped when its own ellipse ends before the window; 0: only when its largest scale does (1
   // needs order 0 or 2)
-  localparam int unsigned TightCull      = 0;
+  localparam int unsigned TightCull      = 1;
   // 1: a node holds the box around its Gaussians' ellipsoids, too, which the DOPU tests where they are small beside
   // their distance; 0: only that of their means, grown by the largest scale (1 needs order 2)
-  localparam int unsigned TightBoxes     = 0;
-  localparam int unsigned Tests          = 1;  // regions side by side that pu_intersect tests in a cycle
+  localparam int unsigned TightBoxes     = 1;
+  localparam int unsigned Tests          = 2;  // regions side by side that pu_intersect tests in a cycle
   localparam int unsigned ExpIndexW      = 6;  // index of the exp2 table
   // 1: linear interpolation between the entries of the exp2 table; 0: the entry alone, no multiplier
   localparam int unsigned ExpLinear      = 1;
-  localparam int unsigned AlphaW         = 8;  // alpha, u0.AlphaW; 0 means below 1/AlphaCut
+  localparam int unsigned AlphaW         = 10;  // alpha, u0.AlphaW; 0 means below 1/AlphaCut
   localparam int unsigned ColorW         = 12;  // colour of a Gaussian, u2.(ColorW-2)
   localparam int unsigned TW             = 19;  // transmittance, u1.(TW-1)
   localparam int unsigned TCut           = 10000;  // a pixel stops before its transmittance falls below 1/TCut
   localparam int unsigned RgbW           = 16;  // accumulated colour, u2.(RgbW-2)
   // pixel in the frame in memory; 64: T u1.15, blue, green, red u2.14, red lowest; 32: A2B10G10R10, a colour c is
   // round(1023 c)
-  localparam int unsigned PixelW         = 64;
+  localparam int unsigned PixelW         = 32;
   localparam int unsigned AlphaLines     = 1024;  // alpha store of one unit: lines of one region's 64 alphas
   // layers that live in an alpha store at a time: with more than a window has, the PUs fill a heavy one while the RUs
   // blend that of the window before
   localparam int unsigned AlphaLayers    = 8;
-  localparam int unsigned Records        = 1024;  // record store of one SU, a pool of slots
+  localparam int unsigned Records        = 1408;  // record store of one SU, a pool of slots
   // mantissa bits of the depth key that choose a bucket of depth: 2^n buckets an octave, in the SUs and in the DOPU
   // (order = 2)
-  localparam int unsigned BucketBits     = 3;
+  localparam int unsigned BucketBits     = 6;
   localparam int unsigned FetchLines     = 32;  // lines of the overflow area that one RU may have asked for
-  localparam int unsigned NearestNodes   = 512;  // nodes that wait in the DOPU, the nearest first (order = 2)
-  localparam int unsigned MarkChunks     = 8;  // fewest chunks between two watermarks of a window (order = 2)
+  localparam int unsigned NearestNodes   = 1024;  // nodes that wait in the DOPU, the nearest first (order = 2)
+  localparam int unsigned MarkChunks     = 7;  // fewest chunks between two watermarks of a window (order = 2)
   localparam int unsigned NearTest       = 1;  // 1: what lies before the near plane is dropped; 0: nothing does
   // 1: the Jacobian's x/z, y/z are clamped to 1.3 tan(fov/2); 0: only saturated
   localparam int unsigned GuardBand      = 1;
@@ -97,53 +97,53 @@ package pipegs_pkg;
   // 1: a unit's clock stops while it has nothing to do; 0: never, clk_o = clk_i, for FPGAs
   localparam int unsigned ClockGates     = 1;
   // 1: the streams show at the top level (tap_*), so every one is compared; 0: only pixels are
-  localparam int unsigned Taps           = 1;
-  localparam bit CachesAlphas            = 1'b1;  // the PUs compute alphas; else coefficients, and the RUs alphas
-  localparam bit HasLayers               = 1'b1;  // a window is sorted and blended layer by layer
+  localparam int unsigned Taps           = 0;
+  localparam bit CachesAlphas            = 1'b0;  // the PUs compute alphas; else coefficients, and the RUs alphas
+  localparam bit HasLayers               = 1'b0;  // a window is sorted and blended layer by layer
   localparam bit HasLists                = 1'b0;  // the frame is preprocessed into lists of its windows in memory
-  localparam bit HasWatermarks           = 1'b0;  // chunks come nearest first, watermarks release what is sorted
-  localparam bit HasStores               = 1'b1;  // alpha stores lie between the PUs and the RUs
+  localparam bit HasWatermarks           = 1'b1;  // chunks come nearest first, watermarks release what is sorted
+  localparam bit HasStores               = 1'b0;  // alpha stores lie between the PUs and the RUs
   localparam bit Oriented                = 1'b0;  // regions are those that the oriented box touches
   localparam bit SpillsAlphas            = 1'b1;  // lines of alphas may lie in external memory
-  localparam int unsigned PuFronts       = 4;  // PUs that fetch and cull
-  localparam int unsigned GeometryJobs   = 8;  // chunks whose lines such a PU has asked for
+  localparam int unsigned PuFronts       = 2;  // PUs that fetch and cull
+  localparam int unsigned GeometryJobs   = 16;  // chunks whose lines such a PU has asked for
   // lines of geometry in flight or waiting in it: as many in all, whatever their number
-  localparam int unsigned GeometryLines  = 64;
+  localparam int unsigned GeometryLines  = 128;
   // Gaussians from where pu_project gives a payload to pu_conic's output: one, and two in each stage behind it
   localparam int unsigned ShapePlaces    = 13;
   // Gaussians from where pu_project gives a centre to where pu_covariance takes it: 1, 2 in each of four stages, 1
   localparam int unsigned CenterDepth    = 10;
   // Gaussians from where a payload is known to where pu_intersect takes them: the places before, 2 in pu_coeff, queue
-  localparam int unsigned PayloadDepth   = 31;
-  localparam int unsigned PartsX         = 1;  // parts along a window's side
+  localparam int unsigned PayloadDepth   = 19;
+  localparam int unsigned PartsX         = 2;  // parts along a window's side
   // parts of a window, numbered row by row: what masks, coefficients and powers are made for
-  localparam int unsigned Parts          = 1;
-  localparam int unsigned PartW          = 0;  // number of a part; absent when a window has one
+  localparam int unsigned Parts          = 4;
+  localparam int unsigned PartW          = 2;  // number of a part; absent when a window has one
   localparam int unsigned PartSide       = 64;  // side of a part in pixels
   localparam int unsigned PartRegionsX   = 8;  // regions along a part's side
   localparam int unsigned MaskW          = 64;  // regions of a part, bits of its mask
   localparam int unsigned MaskIndexW     = 6;  // index of a region in its part, row by row
-  localparam int unsigned Regions        = 64;  // regions of a window
-  localparam int unsigned RegionW        = 6;  // index of a region in its window: its part above its index in the part
+  localparam int unsigned Regions        = 256;  // regions of a window
+  localparam int unsigned RegionW        = 8;  // index of a region in its window: its part above its index in the part
   // what a beat is: 0 data, 1 end of layer, 2 end of window (and of its last layer)
   localparam int unsigned KindW          = 2;
   localparam int unsigned BitW           = 1;  // a flag
   // sort key: depth, then index, so equal depths are ordered by index, then the part; no index without IndexTies
-  localparam int unsigned KeyW           = 48;
-  localparam int unsigned RecordW        = 10;  // slot of a key or record in an SU's stores
+  localparam int unsigned KeyW           = 50;
+  localparam int unsigned RecordW        = 11;  // slot of a key or record in an SU's stores
   // octave of a bucket: the depth key's exponent; with watermarks 16 of them, from the near plane's on
-  localparam int unsigned OctaveW        = 6;
-  localparam int unsigned BucketW        = 9;  // bucket of depth: its octave, then leading bits of the mantissa
+  localparam int unsigned OctaveW        = 4;
+  localparam int unsigned BucketW        = 10;  // bucket of depth: its octave, then leading bits of the mantissa
   localparam int unsigned WindowW        = 10;  // column or row of a window in the frame
   localparam int unsigned SizeW          = 15;  // width or height of the frame, pixels
   localparam int unsigned ExpW           = 6;  // block exponent, unsigned
   localparam int unsigned FloatEW        = 9;  // exponent of a normalised mantissa, signed
   localparam int unsigned SlotW          = 24;  // slot of a Gaussian in packed memory
-  localparam int unsigned CountW         = 20;  // Gaussians of a chunk, chunks of a group, groups of a cell
+  localparam int unsigned CountW         = 16;  // Gaussians of a chunk, chunks of a group, groups of a cell
   // half extent of a bounding box, unsigned, unit 2^half_exp world units, rounded up
-  localparam int unsigned HalfW          = 16;
+  localparam int unsigned HalfW          = 8;
   // how far the box around ellipsoids reaches, unit 2^(half_exp + 1), rounded up; absent unless tight_boxes
-  localparam int unsigned HullW          = 0;
+  localparam int unsigned HullW          = 7;
   // log2 of the standard deviations that a Gaussian reaches, and of what log2 m exceeds m - 1 by (at most 0.0861), unit
   // 1/64, rounded up
   localparam int unsigned HullLog        = 118;
@@ -163,7 +163,7 @@ package pipegs_pkg;
   localparam int unsigned ReachW         = 32;  // pixels of reach per unit of scale and 1/z, u18.14
   // square of the reach of a unit scale across the line of sight: exponent u5, then mantissa u0.8; absent unless
   // tight_cull
-  localparam int unsigned SpreadW        = 0;
+  localparam int unsigned SpreadW        = 13;
   // view-space coordinate in the cull, signed, cut to 17 bits of magnitude
   localparam int unsigned CutW           = 18;
   localparam int unsigned CutShiftW      = 5;  // low bits of a view-space coordinate that the cull leaves out
@@ -174,12 +174,12 @@ package pipegs_pkg;
   localparam int unsigned OpacityW       = 16;  // -log2(opacity), u4.OpacityF
   // step of depth: the depth key's exponent and leading bits of its mantissa; the DOPU's buckets are steps, counted
   // from the near plane's (order = 2)
-  localparam int unsigned StepW          = 9;
+  localparam int unsigned StepW          = 12;
   localparam int unsigned TanW           = 27;  // x/z, y/z
   localparam int unsigned WindowMeanW    = 31;  // projected mean relative to its window's first pixel
   // projected mean; where it is moved to another first pixel, with lists and with parts, a bit more keeps what
   // saturates in no window or part
-  localparam int unsigned MeanW          = 31;
+  localparam int unsigned MeanW          = 32;
   localparam int unsigned DirectionW     = 18;  // component of the view direction, signed, block-normalised
   localparam int unsigned WorldDirectionW = 20;  // component of the view direction in world axes, s(DirectionW).1
   localparam int unsigned LengthW        = 36;  // squared length of the view direction
@@ -190,7 +190,7 @@ package pipegs_pkg;
   localparam int unsigned QuarterW       = 2;  // quarter of a line: the slot of a Gaussian of SH degree 1
   localparam int unsigned RotationW      = 20;  // view-space rotation matrix of a Gaussian, s1.18
   // signed mantissa of a factor of the covariance, normalised: the two top bits differ
-  localparam int unsigned FactorW        = 27;
+  localparam int unsigned FactorW        = 23;
   localparam int unsigned WideEW         = 11;  // exponent of a product of factors, signed: nothing can leave it
   // slope of the conditional mean, s1.25, magnitude at most 1 after the swap
   localparam int unsigned SlopeW         = 27;
@@ -203,9 +203,9 @@ package pipegs_pkg;
   localparam int unsigned AxisMW         = 0;  // normalised mantissas of pu_axes and pu_box
   localparam int unsigned ShareW         = 0;  // share of a length, u1.18, 1/2 to 1
   localparam int unsigned AxisEW         = 0;  // exponent of such a mantissa, signed
-  localparam int unsigned AW             = 45;  // coefficient A, s16.CoeffF
-  localparam int unsigned BcW            = 41;  // coefficients B and C, s12.CoeffF
-  localparam int unsigned DefW           = 32;  // coefficients D, E and F, s3.CoeffF
+  localparam int unsigned AW             = 41;  // coefficient A, s16.CoeffF
+  localparam int unsigned BcW            = 37;  // coefficients B and C, s12.CoeffF
+  localparam int unsigned DefW           = 28;  // coefficients D, E and F, s3.CoeffF
   // power in a Row Unit, s20.PowerF: holds any pixel of any coefficients, nothing wraps
   localparam int unsigned PowerW         = 41;
   localparam int unsigned GradientW      = 34;  // first differences of the power, s13.PowerF
@@ -213,31 +213,31 @@ package pipegs_pkg;
   // a pixel counts iff power >= -PowerCut, unit 2^-PowerF: alpha >= 1/AlphaCut
   localparam int unsigned PowerCut       = 8382687;
   // how much pu_intersect's cut is below the Row Units', unit 2^-CoeffF: what rounding may add
-  localparam int unsigned CutSlack       = 196608;
+  localparam int unsigned CutSlack       = 73728;
   // -log2(opacity) from which nothing counts: log2(AlphaCut) and three slacks, rounded up, unit 2^-OpacityF
-  localparam int unsigned CutBudget      = 32754;
+  localparam int unsigned CutBudget      = 32799;
   // pixels that the dilation of 0.3 adds to a Gaussian's reach, and slack for the rounded mean
   localparam int unsigned ReachMargin    = 2;
-  localparam int unsigned ExpF           = 15;  // fraction bits of the power that exp2 reads
+  localparam int unsigned ExpF           = 17;  // fraction bits of the power that exp2 reads
   localparam int unsigned WholeW         = 4;  // whole part of a visible power, 0 to -10, without its sign
-  localparam int unsigned ExpValueW      = 15;  // value of an entry of the exp2 table, u1.(ExpValueW-1)
-  localparam int unsigned ExpDeltaW      = 9;  // difference of two entries, same unit; the leading bits are 0
-  localparam int unsigned ExpOutW        = 16;  // 2^fraction, u1.(ExpOutW-1)
-  localparam int unsigned AlphaMax       = 253;  // largest alpha code, round(0.99 * 2^AlphaW)
-  localparam int unsigned AlphaMemoryLines = 1;  // memory lines of one line of alphas in the overflow area
-  localparam int unsigned StoreAddressW  = 24;  // field of a splat that says where its alphas lie; absent when late
-  localparam int unsigned StoreBitW      = 1;  // flag of a splat about its alphas; absent when late
-  localparam int unsigned StoreUnitW     = 2;  // unit of a splat's alpha store; absent when late
-  localparam int unsigned LateAW         = 0;  // coefficient A in a splat; absent unless late
-  localparam int unsigned LateBcW        = 0;  // coefficients B and C in a splat; absent unless late
-  localparam int unsigned LateDefW       = 0;  // coefficients D, E and F in a splat; absent unless late
-  localparam int unsigned MarkW          = 0;  // watermark of a chunk; absent unless Order is 2
+  localparam int unsigned ExpValueW      = 17;  // value of an entry of the exp2 table, u1.(ExpValueW-1)
+  localparam int unsigned ExpDeltaW      = 11;  // difference of two entries, same unit; the leading bits are 0
+  localparam int unsigned ExpOutW        = 18;  // 2^fraction, u1.(ExpOutW-1)
+  localparam int unsigned AlphaMax       = 1014;  // largest alpha code, round(0.99 * 2^AlphaW)
+  localparam int unsigned AlphaMemoryLines = 2;  // memory lines of one line of alphas in the overflow area
+  localparam int unsigned StoreAddressW  = 0;  // field of a splat that says where its alphas lie; absent when late
+  localparam int unsigned StoreBitW      = 0;  // flag of a splat about its alphas; absent when late
+  localparam int unsigned StoreUnitW     = 0;  // unit of a splat's alpha store; absent when late
+  localparam int unsigned LateAW         = 41;  // coefficient A in a splat; absent unless late
+  localparam int unsigned LateBcW        = 37;  // coefficients B and C in a splat; absent unless late
+  localparam int unsigned LateDefW       = 28;  // coefficients D, E and F in a splat; absent unless late
+  localparam int unsigned MarkW          = 24;  // watermark of a chunk; absent unless Order is 2
   // index of a Gaussian on its way to the RUs: for the sort and for the taps; else one bit is left
   localparam int unsigned SplatIndexW    = 24;
   // index of a Gaussian where only the taps read it; one bit is left without them
-  localparam int unsigned TapIndexW      = 24;
-  localparam int unsigned TapDepthW      = 24;  // depth key where only the taps read it; one bit is left without them
-  localparam int unsigned LineW          = 512;  // alphas of one region, row by row, first pixel in the low bits
+  localparam int unsigned TapIndexW      = 1;
+  localparam int unsigned TapDepthW      = 1;  // depth key where only the taps read it; one bit is left without them
+  localparam int unsigned LineW          = 640;  // alphas of one region, row by row, first pixel in the low bits
   // address of a line in the alpha store, or when ext is set {area, line} of the unit's overflow areas; with lists
   // {unit, line} of the area of all alphas
   localparam int unsigned AlphaAddressW  = 24;
@@ -249,7 +249,7 @@ package pipegs_pkg;
   localparam int unsigned ListEntryW     = 20;  // entry of a list, one line each; a list has at most 2^ListEntryW - 1
   localparam int unsigned UnitW          = 2;  // number of a unit
   localparam int unsigned GaussiansPerLine = 2;  // geometry records in a line of memory, at 0 and 256 bits
-  localparam int unsigned RegionLines    = 8;  // lines of external memory for the pixels of a region
+  localparam int unsigned RegionLines    = 4;  // lines of external memory for the pixels of a region
   localparam int unsigned AddressW       = 34;  // line of 64 bytes in external memory
   localparam int unsigned MemoryW        = 512;  // a line of external memory
   localparam int unsigned HalvesW        = 2;  // halves of a line of external memory, one bit each
@@ -266,9 +266,9 @@ package pipegs_pkg;
   localparam int unsigned MemoryPorts    = 21;
   // sixteen pixels of T, red, green, blue, done: a word of the pixel buffer
   localparam int unsigned PixelWordW     = 1088;
-  localparam int unsigned TapLanes       = 1;  // lanes of taps of an RU: one for each group of lanes
-  localparam int unsigned TapLineW       = 512;  // alphas that a lane of taps shows
-  localparam int unsigned TapWordW       = 1088;  // pixels that a lane of taps shows
+  localparam int unsigned TapLanes       = 4;  // lanes of taps of an RU: one for each group of lanes
+  localparam int unsigned TapLineW       = 40;  // alphas that a lane of taps shows
+  localparam int unsigned TapWordW       = 272;  // pixels that a lane of taps shows
   localparam int unsigned BusReads       = 256;  // reads that may be unanswered on the bus
   localparam int unsigned BusWrites      = 64;  // writes that may be unanswered on the bus
   localparam int unsigned BusFenced      = 64;  // reads that may wait for earlier writes
@@ -310,12 +310,12 @@ package pipegs_pkg;
   localparam int unsigned RuGroups       = 4;  // groups of four lanes in an RU (quads)
   localparam int unsigned RuHalves       = 4;  // halves of regions that wait before a group of lanes (quads)
   localparam int unsigned RuDrained      = 2;  // words of finished pixels that wait for memory in an RU (quads)
-  localparam int unsigned NodeLines      = 32;  // lines of the node tables in flight or waiting, each level
-  localparam int unsigned SuMarks        = 4;  // watermarks of two windows, or ends of two layers, that an SU keeps
+  localparam int unsigned NodeLines      = 64;  // lines of the node tables in flight or waiting, each level
+  localparam int unsigned SuMarks        = 128;  // watermarks of two windows, or ends of two layers, that an SU keeps
   localparam int unsigned SuWays         = 16;  // sorted runs in external memory that an SU merges at once (overflow)
   localparam int unsigned SuWayLines     = 8;  // lines of each of them that its pool holds, eight slots each
-  localparam int unsigned SuRunKeys      = 7;  // keys of a run in a line, each with the number of its record
-  localparam int unsigned RuQueue        = 16;  // Gaussians before an RU: evens out which one has more to do
+  localparam int unsigned SuRunKeys      = 6;  // keys of a run in a line, each with the number of its record
+  localparam int unsigned RuQueue        = 64;  // Gaussians before an RU: evens out which one has more to do
   localparam int unsigned RuRecords      = 40;  // Gaussians in an RU whose lines of alphas are on their way
 
   // What a beat of a stream is.
@@ -332,14 +332,14 @@ package pipegs_pkg;
   // Chords of 2^f (delta 0: steps): entry i is {0, delta, value}, entry 0 lowest. See cpp_model/lib/math/exp2.hpp.
   localparam int unsigned Exp2EntryW = 32;
   localparam logic [64*Exp2EntryW-1:0] Exp2Table = {
-    32'hb0fe9f, 32'haefd42, 32'had7be8, 32'haafa93, 32'ha97941, 32'ha7f7f2, 32'ha576a8, 32'ha47560,
-    32'ha1f41d, 32'ha072dd, 32'h9ef1a0, 32'h9d7066, 32'h9b6f30, 32'h996dfe, 32'h97eccf, 32'h96eba2,
-    32'h946a7a, 32'h936954, 32'h916832, 32'h906712, 32'h8e65f6, 32'h8ce4dd, 32'h8b63c7, 32'h89e2b4,
-    32'h88e1a3, 32'h86e096, 32'h855f8c, 32'h845e84, 32'h825d80, 32'h815c7e, 32'h7fdb7f, 32'h7eda82,
-    32'h7cd989, 32'h7bd892, 32'h7a579e, 32'h7956ac, 32'h77d5bd, 32'h7654d1, 32'h7553e7, 32'h7452ff,
-    32'h72521b, 32'h71d138, 32'h705058, 32'h6ecf7b, 32'h6e4e9f, 32'h6c4dc7, 32'h6bccf0, 32'h6a4c1c,
-    32'h694b4a, 32'h684a7a, 32'h66c9ad, 32'h65c8e2, 32'h64c819, 32'h63c752, 32'h62c68d, 32'h6145cb,
-    32'h60c50a, 32'h5f444c, 32'h5e4390, 32'h5dc2d5, 32'h5c421d, 32'h5b4167, 32'h5ac0b2, 32'h594000
+    32'hb09fa7c, 32'haebf507, 32'hacbefa2, 32'haafea4b, 32'ha91e503, 32'ha75dfc9, 32'ha57da9e, 32'ha39d582,
+    32'ha1fd073, 32'ha03cb72, 32'h9e7c67f, 32'h9cbc19a, 32'h9b1bcc2, 32'h997b7f7, 32'h97bb33a, 32'h961ae8a,
+    32'h947a9e7, 32'h92fa550, 32'h915a0c6, 32'h8fb9c49, 32'h8e397d8, 32'h8cb9373, 32'h8b18f1b, 32'h89b8ace,
+    32'h881868e, 32'h86b8259, 32'h8557e2f, 32'h83d7a11, 32'h82575ff, 32'h81171f7, 32'h7f96dfb, 32'h7e36a0a,
+    32'h7cd6624, 32'h7b96248, 32'h7a35e77, 32'h78f5ab0, 32'h77956f4, 32'h7635343, 32'h7514f9b, 32'h73b4bfe,
+    32'h729486a, 32'h71344e1, 32'h7014161, 32'h6ef3dea, 32'h6d93a7e, 32'h6c9371a, 32'h6b333c1, 32'h6a33070,
+    32'h6912d28, 32'h67d29ea, 32'h66d26b4, 32'h6592388, 32'h6492064, 32'h6391d48, 32'h6251a36, 32'h615172c,
+    32'h605142a, 32'h5f51130, 32'h5e30e3f, 32'h5d30b56, 32'h5c50874, 32'h5b3059b, 32'h5a302ca, 32'h5950000
   };
 
   // Weights of a Gaussian's reach, u1.8, by the six leading bits of -log2(opacity). See cpp_model/pu/front/pu_cull.hpp.
@@ -359,11 +359,11 @@ package pipegs_pkg;
     13'd1, 13'd1, 13'd1, 13'd1, 13'd1, 13'd1, 13'd1, 13'd1,
     13'd1, 13'd1, 13'd1, 13'd1, 13'd1, 13'd1, 13'd1, 13'd1,
     13'd1, 13'd1, 13'd1, 13'd1, 13'd1, 13'd1, 13'd1, 13'd1,
-    13'd1, 13'd1, 13'd1, 13'd1, 13'd1, 13'd1, 13'd1, 13'd1,
-    13'd128, 13'd256, 13'd384, 13'd512, 13'd640, 13'd768, 13'd896, 13'd1024,
-    13'd1153, 13'd1281, 13'd1409, 13'd1537, 13'd1665, 13'd1793, 13'd1921, 13'd2049,
-    13'd2177, 13'd2305, 13'd2433, 13'd2562, 13'd2690, 13'd2818, 13'd2946, 13'd3074,
-    13'd3202, 13'd3330, 13'd3458, 13'd3586, 13'd3714, 13'd3842, 13'd3971, 13'd4099
+    13'd1, 13'd1, 13'd1, 13'd1, 13'd1, 13'd1, 13'd1, 13'd5,
+    13'd133, 13'd262, 13'd390, 13'd518, 13'd646, 13'd774, 13'd902, 13'd1030,
+    13'd1158, 13'd1286, 13'd1414, 13'd1542, 13'd1671, 13'd1799, 13'd1927, 13'd2055,
+    13'd2183, 13'd2311, 13'd2439, 13'd2567, 13'd2695, 13'd2823, 13'd2951, 13'd3080,
+    13'd3208, 13'd3336, 13'd3464, 13'd3592, 13'd3720, 13'd3848, 13'd3976, 13'd4104
   };
 
   typedef struct packed {
@@ -403,6 +403,8 @@ package pipegs_pkg;
 
   typedef struct packed {
     logic [WorldW-1:0] near_plane;  // near plane, world units
+    logic [SpreadW-1:0] spread_y;
+    logic [SpreadW-1:0] spread_x;  // 2 ln AlphaCut * fx^2 * (1 + 2^-8), rounded up: (1 + m/2^8) 2^e pixel^2
     logic [ReachW-1:0] reach_y;
     logic [ReachW-1:0] reach_x;  // sqrt(2 ln AlphaCut) * fx * sqrt(1 + limit_x^2), rounded up, u18.14
     logic [TanW-1:0] limit_y;
@@ -412,7 +414,7 @@ package pipegs_pkg;
     logic [FocalW-1:0] focal_y;
     logic [FocalW-1:0] focal_x;  // u14.14 pixel
   } lens_t;
-  localparam int unsigned LensBits = 270;
+  localparam int unsigned LensBits = 296;
 
   typedef struct packed {
     logic [FocalW-1:0] scale_z;
@@ -474,7 +476,7 @@ package pipegs_pkg;
     lens_t lens;
     camera_t camera;
   } frame_t;
-  localparam int unsigned FrameBits = 1218;
+  localparam int unsigned FrameBits = 1244;
 
   typedef struct packed {
     logic [CountW-1:0] count;  // cell: groups; group: chunks; chunk: Gaussians
@@ -483,6 +485,13 @@ package pipegs_pkg;
     logic [ScaleW-1:0] scale_max;
     logic [ExpW-1:0] offset_exp;  // unit of the offsets of the chunk's means is 2^offset_exp world units
     logic [ExpW-1:0] half_exp;
+    logic [HullW-1:0] up_z;
+    logic [HullW-1:0] up_y;
+    logic [HullW-1:0] up_x;  // and upwards
+    logic [HullW-1:0] down_z;
+    logic [HullW-1:0] down_y;
+    // how far the ellipsoids on which alpha is 1/AlphaCut reach from the centre downwards, unit 2^(half_exp + 1)
+    logic [HullW-1:0] down_x;
     logic [HalfW-1:0] half_z;
     logic [HalfW-1:0] half_y;
     logic [HalfW-1:0] half_x;  // half extents, unit 2^half_exp
@@ -490,7 +499,7 @@ package pipegs_pkg;
     logic signed [WorldW-1:0] center_y;
     logic signed [WorldW-1:0] center_x;  // centre of the bounding box of the means, world units
   } node_t;
-  localparam int unsigned NodeBits = 242;
+  localparam int unsigned NodeBits = 256;
 
   typedef struct packed {
     logic [IndexW-1:0] index;
@@ -520,6 +529,7 @@ package pipegs_pkg;
   localparam int unsigned PlaneBits = 80;
 
   typedef struct packed {
+    logic [MarkW-1:0] watermark;  // of a layer's end: no depth key of a later chunk of the window is smaller; else 0
     logic [CountW-1:0] count;  // Gaussians
     logic [SlotW-1:0] slot;  // first Gaussian (even)
     logic [ExpW-1:0] offset_exp;
@@ -531,7 +541,7 @@ package pipegs_pkg;
     logic [WindowW-1:0] window_x;
     logic [KindW-1:0] kind;
   } chunk_t;
-  localparam int unsigned ChunkBits = 162;
+  localparam int unsigned ChunkBits = 182;
 
   typedef struct packed {
     logic [SlotW-1:0] slot;
@@ -583,7 +593,7 @@ package pipegs_pkg;
     logic [WindowW-1:0] window_x;
     logic [KindW-1:0] kind;
   } visible_t;
-  localparam int unsigned VisibleBits = 330;
+  localparam int unsigned VisibleBits = 336;
 
   typedef struct packed {
     logic untested;  // its scale has no room in view units: it is kept
@@ -601,7 +611,7 @@ package pipegs_pkg;
     gap_t gap;
     visible_t visible;
   } culled_t;
-  localparam int unsigned CulledBits = 472;
+  localparam int unsigned CulledBits = 478;
 
   typedef struct packed {
     logic [ScaleW-1:0] scale_2;
@@ -617,14 +627,14 @@ package pipegs_pkg;
     logic signed [TanW-1:0] tan_x;  // x/z clamped to the guard band
     logic [KindW-1:0] kind;
   } projected_t;
-  localparam int unsigned ProjectedBits = 209;
+  localparam int unsigned ProjectedBits = 205;
 
   typedef struct packed {
     logic [OpacityW-1:0] opacity;
     logic signed [MeanW-1:0] mean_y;
     logic signed [MeanW-1:0] mean_x;  // projected mean relative to the window's first pixel, s18.MeanF, saturated
   } center_t;
-  localparam int unsigned CenterBits = 78;
+  localparam int unsigned CenterBits = 80;
 
   typedef struct packed {
     logic [SlotW-1:0] slot;
@@ -637,12 +647,13 @@ package pipegs_pkg;
     logic signed [DirectionW-1:0] dir_x;  // view-space direction to the mean, block-normalised
     logic [DepthW-1:0] depth;  // depth key of view z: exponent, then mantissa
   } payload_t;
-  localparam int unsigned PayloadBits = 162;
+  localparam int unsigned PayloadBits = 168;
 
   typedef struct packed {
+    logic [PartW-1:0] part;
     payload_t payload;
   } parted_t;
-  localparam int unsigned PartedBits = 162;
+  localparam int unsigned PartedBits = 170;
 
   typedef struct packed {
     logic [ScaleW-1:0] scale_2;
@@ -663,7 +674,7 @@ package pipegs_pkg;
     logic signed [TanW-1:0] tan_x;
     logic [KindW-1:0] kind;
   } oriented_t;
-  localparam int unsigned OrientedBits = 325;
+  localparam int unsigned OrientedBits = 321;
 
   typedef struct packed {
     logic [ScaleW-1:0] scale_2;
@@ -693,7 +704,7 @@ package pipegs_pkg;
     logic signed [FactorW-1:0] v0_0_m;  // J R', row x without its factor focal/z: R'0j - tan_x R'2j, j = 0..2
     logic [KindW-1:0] kind;
   } jacobian_t;
-  localparam int unsigned JacobianBits = 472;
+  localparam int unsigned JacobianBits = 428;
 
   typedef struct packed {
     logic signed [WideEW-1:0] gg_e;
@@ -718,7 +729,7 @@ package pipegs_pkg;
     logic signed [FactorW-1:0] u0_0;  // v0_j * scale_j
     logic [KindW-1:0] kind;
   } factors_t;
-  localparam int unsigned FactorsBits = 426;
+  localparam int unsigned FactorsBits = 374;
 
   typedef struct packed {
     logic [MantissaW-1:0] gg_m;
@@ -735,7 +746,7 @@ package pipegs_pkg;
     logic [MantissaW-1:0] a_m;  // |u0|^2, m normalised or 0
     logic [KindW-1:0] kind;
   } squares_t;
-  localparam int unsigned SquaresBits = 255;
+  localparam int unsigned SquaresBits = 223;
 
   typedef struct packed {
     logic [OpacityW-1:0] opacity;
@@ -751,7 +762,7 @@ package pipegs_pkg;
     logic signed [MeanW-1:0] mean_x;
     logic [KindW-1:0] kind;
   } covariance_t;
-  localparam int unsigned CovarianceBits = 221;
+  localparam int unsigned CovarianceBits = 211;
 
   typedef struct packed {
     logic swap;  // 1 when a > c: the longer axis is the one nearer to x
@@ -768,7 +779,7 @@ package pipegs_pkg;
     logic signed [MeanW-1:0] mean_x;
     logic [KindW-1:0] kind;
   } axes_t;
-  localparam int unsigned AxesBits = 222;
+  localparam int unsigned AxesBits = 212;
 
   typedef struct packed {
     logic [OpacityW-1:0] opacity;
@@ -786,7 +797,7 @@ package pipegs_pkg;
     logic signed [MeanW-1:0] mean_x;
     logic [KindW-1:0] kind;
   } conic_t;
-  localparam int unsigned ConicBits = 222;
+  localparam int unsigned ConicBits = 216;
 
   typedef struct packed {
     logic [ColorW-1:0] blue;
@@ -812,7 +823,7 @@ package pipegs_pkg;
     logic signed [MeanW-1:0] mean_x;
     logic [KindW-1:0] kind;
   } coeff_t;
-  localparam int unsigned CoeffBits = 332;
+  localparam int unsigned CoeffBits = 310;
 
   typedef struct packed {
     // regions that hold a pixel with alpha >= 1/AlphaCut: the 4-bit bitmap of each tile, row by row of regions
@@ -825,10 +836,10 @@ package pipegs_pkg;
     logic signed [AW-1:0] a;
     logic [KindW-1:0] kind;
   } tiles_t;
-  localparam int unsigned TilesBits = 289;
+  localparam int unsigned TilesBits = 265;
 
   typedef struct packed {
-    logic [TapIndexW-1:0] index;
+    logic index;
     logic ext;  // the lines lie in an overflow area
     logic [AlphaAddressW-1:0] address;  // of the line of the mask's first region; the others follow
     logic [MaskW-1:0] mask;
@@ -840,11 +851,11 @@ package pipegs_pkg;
     logic signed [AW-1:0] a;
     logic [KindW-1:0] kind;
   } row_job_t;
-  localparam int unsigned RowJobBits = 338;
+  localparam int unsigned RowJobBits = 291;
 
   typedef struct packed {
     logic [RegionW-1:0] region;
-    logic [TapIndexW-1:0] index;
+    logic index;
     logic ext;
     logic [AlphaAddressW-1:0] address;
     logic signed [CurveW-1:0] twist;  // F
@@ -855,23 +866,23 @@ package pipegs_pkg;
     logic signed [PowerW-1:0] power;  // power at the region's first pixel
     logic [KindW-1:0] kind;
   } region_t;
-  localparam int unsigned RegionBits = 241;
+  localparam int unsigned RegionBits = 220;
 
   typedef struct packed {
     logic visible;  // power >= -PowerCut
     logic [WholeW-1:0] whole;  // minus the whole part
     logic [ExpF-1:0] fraction;
   } exponent_t;
-  localparam int unsigned ExponentBits = 20;
+  localparam int unsigned ExponentBits = 22;
 
   typedef struct packed {
     logic [RegionW-1:0] region;
-    logic [TapIndexW-1:0] index;
+    logic index;
     logic ext;
     logic [AlphaAddressW-1:0] address;
     logic [KindW-1:0] kind;
   } alphas_t;
-  localparam int unsigned AlphasBits = 57;
+  localparam int unsigned AlphasBits = 36;
 
   typedef struct packed {
     logic signed [BaseW-1:0] base_b;
@@ -888,7 +899,7 @@ package pipegs_pkg;
     logic [DepthW-1:0] depth;
     logic [KindW-1:0] kind;
   } color_job_t;
-  localparam int unsigned ColorJobBits = 253;
+  localparam int unsigned ColorJobBits = 259;
 
   typedef struct packed {
     logic signed [BaseW-1:0] base_b;
@@ -902,7 +913,7 @@ package pipegs_pkg;
     logic [DepthW-1:0] depth;
     logic [KindW-1:0] kind;
   } color_task_t;
-  localparam int unsigned ColorTaskBits = 177;
+  localparam int unsigned ColorTaskBits = 183;
 
   typedef struct packed {
     logic signed [DirectionW-1:0] z;
@@ -959,34 +970,43 @@ package pipegs_pkg;
   localparam int unsigned ColoredBits = 175;
 
   typedef struct packed {
+    logic signed [LateDefW-1:0] f;
+    logic signed [LateDefW-1:0] e;
+    logic signed [LateDefW-1:0] d;
+    logic signed [LateBcW-1:0] c;
+    logic signed [LateBcW-1:0] b;
+    logic signed [LateAW-1:0] a;  // Eq. 3, anchored at the part's first pixel
     logic [ColorW-1:0] blue;
     logic [ColorW-1:0] green;
     logic [ColorW-1:0] red;
-    logic ext;
-    logic [StoreAddressW-1:0] address;
     logic [MaskW-1:0] mask;
     logic [SplatIndexW-1:0] index;
+    logic [PartW-1:0] part;  // of the window, when it has more than one: the mask and Eq. 3 are the part's
     logic [DepthW-1:0] depth;  // of a layer's end when Order is 2: the watermark
     logic [KindW-1:0] kind;
   } splat_t;
-  localparam int unsigned SplatBits = 175;
+  localparam int unsigned SplatBits = 351;
 
   typedef struct packed {
-    logic [StoreUnitW-1:0] unit;  // whose alpha store holds the lines
+    logic signed [LateDefW-1:0] f;
+    logic signed [LateDefW-1:0] e;
+    logic signed [LateDefW-1:0] d;
+    logic signed [LateBcW-1:0] c;
+    logic signed [LateBcW-1:0] b;
+    logic signed [LateAW-1:0] a;
     logic [ColorW-1:0] blue;
     logic [ColorW-1:0] green;
     logic [ColorW-1:0] red;
-    logic ext;
-    logic [StoreAddressW-1:0] address;
     logic [MaskW-1:0] mask;
-    logic [TapIndexW-1:0] index;
-    logic [TapDepthW-1:0] depth;
+    logic index;
+    logic [PartW-1:0] part;
+    logic depth;
     logic [KindW-1:0] kind;
   } sorted_t;
-  localparam int unsigned SortedBits = 177;
+  localparam int unsigned SortedBits = 305;
 
   typedef struct packed {
-    logic [TapIndexW-1:0] index;
+    logic index;
     logic [ColorW-1:0] blue;
     logic [ColorW-1:0] green;
     logic [ColorW-1:0] red;
@@ -997,10 +1017,10 @@ package pipegs_pkg;
     logic [RegionW-1:0] region;
     logic [KindW-1:0] kind;
   } fetch_t;
-  localparam int unsigned FetchBits = 96;
+  localparam int unsigned FetchBits = 75;
 
   typedef struct packed {
-    logic [TapIndexW-1:0] index;
+    logic index;
     logic [ColorW-1:0] blue;
     logic [ColorW-1:0] green;
     logic [ColorW-1:0] red;
@@ -1008,7 +1028,7 @@ package pipegs_pkg;
     logic [RegionW-1:0] region;
     logic [KindW-1:0] kind;
   } blend_t;
-  localparam int unsigned BlendBits = 69;
+  localparam int unsigned BlendBits = 48;
 
   typedef struct packed {
     // lines of a read, less one: from `address` on, in one aligned group of eight; 0 for a write
@@ -1048,9 +1068,9 @@ package pipegs_pkg;
   // lines of it
   function automatic logic [AddressW-1:0] area_lines(input logic [AddressW-1:0] size, input logic [2:0] area);
     case (area)
-      AreaKeys: area_lines = size >> 5;
-      AreaRuns: area_lines = size >> 5;
-      AreaRecords: area_lines = size >> 4;
+      AreaKeys: area_lines = size >> 4;
+      AreaRuns: area_lines = size >> 4;
+      AreaRecords: area_lines = size >> 3;
       AreaEven: area_lines = size >> 4;
       AreaOdd: area_lines = size >> 4;
       AreaLists: area_lines = size >> 1;
@@ -1061,8 +1081,8 @@ package pipegs_pkg;
   function automatic logic [AddressW-1:0] area_place(input logic [AddressW-1:0] size, input logic [2:0] area);
     case (area)
       AreaKeys: area_place = '0;
-      AreaRuns: area_place = (size >> 5);
-      AreaRecords: area_place = (size >> 5) << 1;
+      AreaRuns: area_place = (size >> 4);
+      AreaRecords: area_place = (size >> 4) << 1;
       AreaEven: area_place = (size >> 4) << 1;
       AreaOdd: area_place = ((size >> 4) << 1) + (size >> 4);
       AreaLists: area_place = '0;
@@ -1159,17 +1179,17 @@ package pipegs_pkg;
   // Registers that the configuration fixes: {offset of 16 bits, value of 32}.
   localparam int unsigned ControlConstants = 14;
   localparam logic [ControlConstants*48-1:0] ControlConstantTable = {
-    48'h00a4_00110040,  // CONFIG_OVERFLOW
+    48'h00a4_00040100,  // CONFIG_OVERFLOW
     48'h00a0_00ff4022,  // CONFIG_MEMORY
-    48'h009c_0f002016,  // CONFIG_LENS
+    48'h009c_0f0d2016,  // CONFIG_LENS
     48'h0098_1c1c141a,  // CONFIG_CAMERA
-    48'h0094_14180010,  // CONFIG_NODE
-    48'h0090_40201828,  // CONFIG_SCENE
-    48'h008c_0c050b0c,  // CONFIG_COLOR
-    48'h0088_060c1014,  // CONFIG_GAUSSIAN
-    48'h0084_00030800,  // CONFIG_POINT
-    48'h0080_10044004,  // CONFIG_COUNTS
-    48'h000c_957c6da2,  // CONFIG_HASH
+    48'h0094_10180708,  // CONFIG_NODE
+    48'h0090_20101828,  // CONFIG_SCENE
+    48'h008c_0c050b0e,  // CONFIG_COLOR
+    48'h0088_060c1012,  // CONFIG_GAUSSIAN
+    48'h0084_00030e52,  // CONFIG_POINT
+    48'h0080_10048004,  // CONFIG_COUNTS
+    48'h000c_40dcc25f,  // CONFIG_HASH
     48'h0008_880a33ce,  // LAYOUT
     48'h0004_00020000,  // VERSION
     48'h0000_47504950  // ID
@@ -1185,44 +1205,44 @@ package pipegs_pkg;
   // What a start queues: frame_t, areas_t and picture_t in this order, the first one lowest. A slot is {byte
   // offset of its low word (16 bits), lowest bit of its value in what is queued (16), width of the value (8),
   // bit of the slot at which it begins (8), 1 if it is signed (8)}.
-  localparam int unsigned ControlShadowBits = 1537;
+  localparam int unsigned ControlShadowBits = 1563;
   localparam int unsigned ControlSlots = 59;
   localparam logic [ControlSlots*56-1:0] ControlSlotTable = {
-    56'h0490_05f5_0c_06_00,  // stride
-    56'h0488_05d3_22_06_00,  // base
-    56'h0480_05d2_01_00_00,  // format
-    56'h0438_05b0_22_06_00,  // picture
-    56'h0430_058e_22_06_00,  // overflow
-    56'h0428_056c_22_06_00,  // pixels
-    56'h0420_054a_22_06_00,  // colors
-    56'h0418_0528_22_06_00,  // gaussians
-    56'h0410_0506_22_06_00,  // chunks
-    56'h0408_04e4_22_06_00,  // groups
-    56'h0400_04c2_22_06_00,  // cells
-    56'h0378_04b8_0a_00_00,  // raster.windows.last_y
-    56'h0370_04ae_0a_00_00,  // raster.windows.last_x
-    56'h0368_04a4_0a_00_00,  // raster.windows.first_y
-    56'h0360_049a_0a_00_00,  // raster.windows.first_x
-    56'h0358_048b_0f_00_00,  // raster.height
-    56'h0350_047c_0f_00_00,  // raster.width
-    56'h0348_045a_22_06_00,  // tables.overflow
-    56'h0340_0438_22_06_00,  // tables.pixels
-    56'h0338_0438_00_00_00,  // tables.antialias
-    56'h0330_0436_02_00_00,  // tables.sh_degree
-    56'h0328_0414_22_06_00,  // tables.colors
-    56'h0320_03f2_22_06_00,  // tables.gaussians
-    56'h0318_03d0_22_06_00,  // tables.chunks
-    56'h0310_03ae_22_06_00,  // tables.groups
-    56'h0308_038c_22_06_00,  // tables.cells
-    56'h0300_0370_1c_00_00,  // grid.scale_z
-    56'h02f8_0354_1c_00_00,  // grid.scale_y
-    56'h02f0_0338_1c_00_00,  // grid.scale_x
-    56'h02e8_0310_28_00_01,  // grid.low.z
-    56'h02e0_02e8_28_00_01,  // grid.low.y
-    56'h02d8_02c0_28_00_01,  // grid.low.x
-    56'h02d0_0298_28_00_00,  // lens.near_plane
-    56'h02c8_0298_00_00_00,  // lens.spread_y
-    56'h02c0_0298_00_00_00,  // lens.spread_x
+    56'h0490_060f_0c_06_00,  // stride
+    56'h0488_05ed_22_06_00,  // base
+    56'h0480_05ec_01_00_00,  // format
+    56'h0438_05ca_22_06_00,  // picture
+    56'h0430_05a8_22_06_00,  // overflow
+    56'h0428_0586_22_06_00,  // pixels
+    56'h0420_0564_22_06_00,  // colors
+    56'h0418_0542_22_06_00,  // gaussians
+    56'h0410_0520_22_06_00,  // chunks
+    56'h0408_04fe_22_06_00,  // groups
+    56'h0400_04dc_22_06_00,  // cells
+    56'h0378_04d2_0a_00_00,  // raster.windows.last_y
+    56'h0370_04c8_0a_00_00,  // raster.windows.last_x
+    56'h0368_04be_0a_00_00,  // raster.windows.first_y
+    56'h0360_04b4_0a_00_00,  // raster.windows.first_x
+    56'h0358_04a5_0f_00_00,  // raster.height
+    56'h0350_0496_0f_00_00,  // raster.width
+    56'h0348_0474_22_06_00,  // tables.overflow
+    56'h0340_0452_22_06_00,  // tables.pixels
+    56'h0338_0452_00_00_00,  // tables.antialias
+    56'h0330_0450_02_00_00,  // tables.sh_degree
+    56'h0328_042e_22_06_00,  // tables.colors
+    56'h0320_040c_22_06_00,  // tables.gaussians
+    56'h0318_03ea_22_06_00,  // tables.chunks
+    56'h0310_03c8_22_06_00,  // tables.groups
+    56'h0308_03a6_22_06_00,  // tables.cells
+    56'h0300_038a_1c_00_00,  // grid.scale_z
+    56'h02f8_036e_1c_00_00,  // grid.scale_y
+    56'h02f0_0352_1c_00_00,  // grid.scale_x
+    56'h02e8_032a_28_00_01,  // grid.low.z
+    56'h02e0_0302_28_00_01,  // grid.low.y
+    56'h02d8_02da_28_00_01,  // grid.low.x
+    56'h02d0_02b2_28_00_00,  // lens.near_plane
+    56'h02c8_02a5_0d_00_00,  // lens.spread_y
+    56'h02c0_0298_0d_00_00,  // lens.spread_x
     56'h02b8_0278_20_00_00,  // lens.reach_y
     56'h02b0_0258_20_00_00,  // lens.reach_x
     56'h02a8_023d_1b_00_00,  // lens.limit_y

@@ -73,7 +73,6 @@ of fast ru_live ru_regions ru_power ru_quads pu_parts pu_reach
 of gscore pu_axes pu_box pu_touch
 package() {  # the path of the package with these settings
   local folder; folder=$scratch/$(cksum <<< "$1" | tr ' ' _)
-  if [ -z "$1" ]; then echo rtl/pipegs_pkg.sv; return; fi
   mkdir -p "$folder"
   # shellcheck disable=SC2086
   [ -e "$folder/pipegs_pkg.sv" ] || "$build/cpp_model/package_sv" $1 > "$folder/pipegs_pkg.sv"

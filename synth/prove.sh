@@ -23,7 +23,7 @@ out=$build/prove; mkdir -p "$out"
 mapfile -t machines < <(synth/design_points.py | sed 's/^[^ ]* *//')
 machines+=("antialias=1" "units=2" "units=1")
 
-package() { if [ "$1" = default ]; then cat rtl/pipegs_pkg.sv; else "$build/cpp_model/package_sv" ${1//,/ }; fi; }
+package() { local settings=${1#default}; "$build/cpp_model/package_sv" ${settings//,/ }; }
 source_of() {  # the file of a module: the proof's own one, else the RTL
   if [ -e "$here/parts/$1.sv" ]; then echo "$here/parts/$1.sv"; else find rtl -name "$1.sv" | grep .; fi
 }

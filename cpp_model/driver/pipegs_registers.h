@@ -96,7 +96,7 @@
 #define PIPEGS_FRAMES_DONE_COUNT 0xffffffffu /* since reset, modulo 2^32 */
 
 #define PIPEGS_BUS_TIMEOUT 0x038u /* how long memory may be silent */
-/* in which it owes answers to reads, or to writes, and none comes and it takes nothing; 0: for ever */
+/* in which it owes answers to reads, or to writes, and nothing moves; 0: for ever */
 #define PIPEGS_BUS_TIMEOUT_CYCLES 0xffffffffu
 
 #define PIPEGS_CONFIG_COUNTS 0x080u /* counts */

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """package_test.py [--write] BUILD: what is printed for systems on a chip is what the programs print today.
 
-Committed   rtl/pipegs_pkg.sv (every entry of config.def at its default), the driver's header, and in package/ all of
-            the default machine. Each is compared; with --write, written.
+Committed   all of the default machine, its package in rtl/ and the rest in package/, and the driver's header. Each is
+            compared; with --write, written.
 Machines    package/machine.py gives each design point without a program, word for word what the programs print, with
             the modules that Verilator found in it (docs/data/modules.json); other settings by the programs.
 Instance    its template has every port of pipegs_axi in its width: Verilator connects it to the module's header.
@@ -51,18 +51,17 @@ def held(path, text, write=False):
 def committed(build, write):
     """What the programs print first, for the rest is printed from it."""
     registers = [f"{build}/cpp_model/control/print/registers_print", "header"]
-    held("rtl/pipegs_pkg.sv", output(f"{build}/cpp_model/package_sv"), write)
     held(HEADER, output(*registers), write)
     if output(*registers) != output(*registers, *ODD):  # one driver for every machine
         finds.append(f"{HEADER} depends on the configuration")
     points = files.design_points()
     texts = {point: machines.printed(build, [*points[point], "taps=0"]) for point in points}
     for file, text in texts[machines.DEFAULT].items():
-        held(f"package/{file}", text, write)
+        held(machines.committed(file), text, write)
     held("package/machines.csv", machines.table(texts), write)
-    printed = machine.texts_of(texts[machines.DEFAULT], "package/pipegs_pkg.sv", pathlib.Path())
+    printed = machine.texts_of(texts[machines.DEFAULT], machines.committed("pipegs_pkg.sv"), pathlib.Path())
     for file, text in printed.items():
-        held(file if file in ("pipegs.core", "Bender.yml") else f"package/{file}", text, write)
+        held(file if file in ("pipegs.core", "Bender.yml") else machines.committed(file), text, write)
     held("package/vivado.tcl", files.vivado(), write)
     return texts
 

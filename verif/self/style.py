@@ -37,7 +37,7 @@ SOURCES = (
     ".cff",
     "CMakeLists.txt",
 )
-WIDE = (".md", ".csv", ".json", ".jsonl", ".svg", ".xml", "package/pipegs_pkg.sv")
+WIDE = (".md", ".csv", ".json", ".jsonl", ".svg", ".xml", "rtl/pipegs_pkg.sv")
 BINARY = (".png", ".ply", ".splat", ".ksplat", ".spz", ".glb", ".sog", ".pfm", ".exr", ".zip", ".bin", ".fst")
 
 finds = []
