@@ -114,6 +114,9 @@ module pipegs_host #(
   pipegs_stream_check #(.DataW($bits({frame, areas, picture}))) u_check_frame (
     .clk_i, .rst_ni(ready), .valid_i(frame_shown), .ready_i(core_ready), .beat_i({frame, areas, picture})
   );
+  pipegs_stream_check #(.DataW($bits({mem_request_o, mem_data_o}))) u_check_mem (
+    .clk_i, .rst_ni(!apart), .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i({mem_request_o, mem_data_o})
+  );
 `endif
 
 endmodule

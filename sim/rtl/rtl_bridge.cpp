@@ -170,6 +170,8 @@ void VerilatedMachine::tap_cycle(RtlTaps& taps) {
 
 // --- one cycle -------------------------------------------------------------------------------------------------------
 void VerilatedMachine::begin() {
+  waves_.reset();  // of a run before, as long as their context is there
+  dut_.reset();
   context_ = std::make_unique<VerilatedContext>();
   context_->randReset(2);
   context_->randSeed(static_cast<int>(options_->seed % 0x7ffffffe) + 1);
