@@ -104,7 +104,12 @@ module pipegs_axi #(
   logic [LineW-1:0]             error_line;
   pipegs_pkg::memory_wait_t     read_wait, write_wait;
 
-  pipegs_reset_sync u_reset (.clk_i(aclk), .rst_ni(aresetn), .test_mode_i(test_mode), .rst_no(rst_n));
+  pipegs_reset_sync u_reset (
+    .clk_i(aclk),
+    .rst_ni(aresetn),
+    .test_mode_i(test_mode),
+    .rst_no(rst_n)
+  );
 
   // --- the ports are the fields of the channels ----------------------------------------------------------------------
   assign control.aw_addr        = s_axi_awaddr;
@@ -159,21 +164,52 @@ module pipegs_axi #(
   assign memory.read.r_valid    = m_axi_rvalid;
 
   pipegs_host u_host (
-    .clk_i(aclk), .rst_ni(rst_n), .test_mode_i(test_mode), .scan_en_i(scan_enable), .s_axi_i(control),
+    .clk_i(aclk),
+    .rst_ni(rst_n),
+    .test_mode_i(test_mode),
+    .scan_en_i(scan_enable),
+    .s_axi_i(control),
     .s_axi_o(answer),
-    .irq_o(irq), .mem_valid_o(valid), .mem_ready_i(ready), .mem_request_o(request), .mem_data_o(data),
-    .mem_rsp_valid_i(rsp_valid), .mem_rsp_tag_i(rsp_tag), .mem_rsp_data_i(rsp_data), .mem_epoch_o(epoch),
-    .mem_drained_i(drained), .mem_writes_i(writes), .mem_answered_i(answered), .mem_error_i(error),
-    .mem_error_line_i(error_line), .mem_read_wait_i(read_wait), .mem_write_wait_i(write_wait)
+    .irq_o(irq),
+    .mem_valid_o(valid),
+    .mem_ready_i(ready),
+    .mem_request_o(request),
+    .mem_data_o(data),
+    .mem_rsp_valid_i(rsp_valid),
+    .mem_rsp_tag_i(rsp_tag),
+    .mem_rsp_data_i(rsp_data),
+    .mem_epoch_o(epoch),
+    .mem_drained_i(drained),
+    .mem_writes_i(writes),
+    .mem_answered_i(answered),
+    .mem_error_i(error),
+    .mem_error_line_i(error_line),
+    .mem_read_wait_i(read_wait),
+    .mem_write_wait_i(write_wait)
   );
 
   pipegs_axi_manager #(.AddrW(AddrW)) u_manager (
-    .clk_i(aclk), .rst_ni(rst_n), .base_i(Base), .epoch_i(epoch), .drained_o(drained), .pending_o(),
-    .mem_valid_i(valid), .mem_ready_o(ready), .mem_request_i(request), .mem_data_i(data),
-    .rsp_valid_o(rsp_valid), .rsp_tag_o(rsp_tag), .rsp_data_o(rsp_data),
-    .error_o(error), .error_line_o(error_line), .writes_o(writes), .answered_o(answered),
-    .read_wait_o(read_wait), .write_wait_o(write_wait),
-    .m_axi_o(bus), .m_axi_i(memory)
+    .clk_i(aclk),
+    .rst_ni(rst_n),
+    .base_i(Base),
+    .epoch_i(epoch),
+    .drained_o(drained),
+    .pending_o(),
+    .mem_valid_i(valid),
+    .mem_ready_o(ready),
+    .mem_request_i(request),
+    .mem_data_i(data),
+    .rsp_valid_o(rsp_valid),
+    .rsp_tag_o(rsp_tag),
+    .rsp_data_o(rsp_data),
+    .error_o(error),
+    .error_line_o(error_line),
+    .writes_o(writes),
+    .answered_o(answered),
+    .read_wait_o(read_wait),
+    .write_wait_o(write_wait),
+    .m_axi_o(bus),
+    .m_axi_i(memory)
   );
 
   logic unused;

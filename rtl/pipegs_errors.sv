@@ -86,7 +86,9 @@ module pipegs_errors #(
   logic [2*AddressW-1:0] line_q;
 
   pipegs_first_line #(.Ports(3)) u_full (
-    .valid_i({full_i, no_room}), .line_i({full_line_i, pixels_i.first + pixels_i.lines}), .valid_o(full),
+    .valid_i({full_i, no_room}),
+    .line_i({full_line_i, pixels_i.first + pixels_i.lines}),
+    .valid_o(full),
     .line_o(full_line)
   );
   assign found = {bad_i, full};

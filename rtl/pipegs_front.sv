@@ -85,60 +85,131 @@ module pipegs_front #(
   assign {spill_line, spill_ready} = spill_i;
   assign store_o = {store_line, store_address, store_write};
 
-  pipegs_clock_gate u_dopu_gate (.clk_i, .rst_ni, .scan_en_i, .enable_i(dopu_active), .clk_o(dopu_clk));
+  pipegs_clock_gate u_dopu_gate (
+    .clk_i,
+    .rst_ni,
+    .scan_en_i,
+    .enable_i(dopu_active),
+    .clk_o(dopu_clk)
+  );
   pipegs_dopu u_dopu (
-    .clk_i(dopu_clk), .rst_ni, .start_i(restart_i), .frame_i, .areas_i, .busy_o(dopu_busy),
-    .mem_valid_o(node_valid), .mem_ready_i(node_ready), .mem_address_o(node_address), .mem_lines_o(node_lines),
-    .rsp_valid_i(node_line), .rsp_data_i(line_i),
-    .done_i(progress_i.done), .done_x_i(progress_i.x), .done_y_i(progress_i.y),
-    .chunk_valid_o(chunk_valid), .chunk_ready_i(chunk_ready), .chunk_room_i(chunk_room), .chunk_o(chunk),
-    .active_o(dopu_active), .perf_o(perf_o[1:0]), .bad_o(dopu_bad), .bad_line_o(dopu_bad_line)
+    .clk_i(dopu_clk),
+    .rst_ni,
+    .start_i(restart_i),
+    .frame_i,
+    .areas_i,
+    .busy_o(dopu_busy),
+    .mem_valid_o(node_valid),
+    .mem_ready_i(node_ready),
+    .mem_address_o(node_address),
+    .mem_lines_o(node_lines),
+    .rsp_valid_i(node_line),
+    .rsp_data_i(line_i),
+    .done_i(progress_i.done),
+    .done_x_i(progress_i.x),
+    .done_y_i(progress_i.y),
+    .chunk_valid_o(chunk_valid),
+    .chunk_ready_i(chunk_ready),
+    .chunk_room_i(chunk_room),
+    .chunk_o(chunk),
+    .active_o(dopu_active),
+    .perf_o(perf_o[1:0]),
+    .bad_o(dopu_bad),
+    .bad_line_o(dopu_bad_line)
   );
 
   for (genvar k = 0; k < Units; k += 1) begin : gen_unit
     logic pu_clk;
-    pipegs_clock_gate u_pu_gate (.clk_i, .rst_ni, .scan_en_i, .enable_i(pu_active[k]), .clk_o(pu_clk));
+    pipegs_clock_gate u_pu_gate (
+      .clk_i,
+      .rst_ni,
+      .scan_en_i,
+      .enable_i(pu_active[k]),
+      .clk_o(pu_clk)
+    );
     pipegs_pu #(.Front(k < PuFronts)) u_pu (
-      .clk_i(pu_clk), .rst_ni, .rotation_i(frame_i.camera.rotation), .quaternion_i(frame_i.camera.quaternion),
-      .lens_i(frame_i.lens), .tables_i(frame_i.tables), .areas_i, .windows_i(frame_i.raster.windows),
-      .unit_i(pipegs_pkg::UnitW'(k)), .restart_i,
-      .chunk_valid_i(chunk_valid[k]), .chunk_ready_o(chunk_ready[k]), .chunk_room_o(chunk_room[k]), .chunk_i(chunk),
-      .culled_valid_o(culled_valid[k]), .culled_ready_i(culled_ready[k]),
+      .clk_i(pu_clk),
+      .rst_ni,
+      .rotation_i(frame_i.camera.rotation),
+      .quaternion_i(frame_i.camera.quaternion),
+      .lens_i(frame_i.lens),
+      .tables_i(frame_i.tables),
+      .areas_i,
+      .windows_i(frame_i.raster.windows),
+      .unit_i(pipegs_pkg::UnitW'(k)),
+      .restart_i,
+      .chunk_valid_i(chunk_valid[k]),
+      .chunk_ready_o(chunk_ready[k]),
+      .chunk_room_o(chunk_room[k]),
+      .chunk_i(chunk),
+      .culled_valid_o(culled_valid[k]),
+      .culled_ready_i(culled_ready[k]),
       .culled_o(culled[k*VisibleBits +: VisibleBits]),
-      .visible_valid_i(dealt_valid[k]), .visible_ready_o(dealt_ready[k]), .visible_room_o(dealt_room[k]),
+      .visible_valid_i(dealt_valid[k]),
+      .visible_ready_o(dealt_ready[k]),
+      .visible_room_o(dealt_room[k]),
       .visible_i(dealt),
-      .done_i(progress_i.done), .done_x_i(progress_i.x), .done_y_i(progress_i.y),
-      .line_free_i(line_free_i[k]), .layer_free_i,
-      .geometry_valid_o(geometry_valid[k]), .geometry_ready_i(geometry_ready[k]),
+      .done_i(progress_i.done),
+      .done_x_i(progress_i.x),
+      .done_y_i(progress_i.y),
+      .line_free_i(line_free_i[k]),
+      .layer_free_i,
+      .geometry_valid_o(geometry_valid[k]),
+      .geometry_ready_i(geometry_ready[k]),
       .geometry_address_o(geometry_address[k*AddressW +: AddressW]),
-      .geometry_lines_o(geometry_lines[k*BurstW +: BurstW]), .geometry_rsp_valid_i(geometry_line[k]),
-      .color_valid_o(color_valid[k]), .color_ready_i(color_ready[k]),
-      .color_address_o(color_address[k*AddressW +: AddressW]), .color_rsp_valid_i(color_line[k]), .rsp_data_i(line_i),
-      .spill_valid_o(spill_valid[k]), .spill_ready_i(spill_ready[k]),
-      .spill_address_o(spill_address[k*AddressW +: AddressW]), .spill_data_o(spill_data[k*MemoryW +: MemoryW]),
-      .store_write_o(store_write[k]), .store_address_o(store_address[k*AlphaAddressW +: AlphaAddressW]),
+      .geometry_lines_o(geometry_lines[k*BurstW +: BurstW]),
+      .geometry_rsp_valid_i(geometry_line[k]),
+      .color_valid_o(color_valid[k]),
+      .color_ready_i(color_ready[k]),
+      .color_address_o(color_address[k*AddressW +: AddressW]),
+      .color_rsp_valid_i(color_line[k]),
+      .rsp_data_i(line_i),
+      .spill_valid_o(spill_valid[k]),
+      .spill_ready_i(spill_ready[k]),
+      .spill_address_o(spill_address[k*AddressW +: AddressW]),
+      .spill_data_o(spill_data[k*MemoryW +: MemoryW]),
+      .store_write_o(store_write[k]),
+      .store_address_o(store_address[k*AlphaAddressW +: AlphaAddressW]),
       .store_line_o(store_line[k*LineW +: LineW]),
-      .splat_valid_o(splat_valid_o[k]), .splat_ready_i(splat_ready_i[k]),
-      .splat_o(splat_o[k*SplatBits +: SplatBits]), .number_o(number_o[k*NumberW +: NumberW]),
+      .splat_valid_o(splat_valid_o[k]),
+      .splat_ready_i(splat_ready_i[k]),
+      .splat_o(splat_o[k*SplatBits +: SplatBits]),
+      .number_o(number_o[k*NumberW +: NumberW]),
       .overflowed_o(overflow_o[k*LinesW +: LinesW]),
-      .full_o(pu_full[k]), .full_line_o(pu_full_line[k*AddressW +: AddressW]),
-      .bad_o(pu_bad[k]), .bad_line_o(pu_bad_line[k*AddressW +: AddressW]), .busy_o(pu_busy[k]), .active_o(pu_active[k]),
+      .full_o(pu_full[k]),
+      .full_line_o(pu_full_line[k*AddressW +: AddressW]),
+      .bad_o(pu_bad[k]),
+      .bad_line_o(pu_bad_line[k*AddressW +: AddressW]),
+      .busy_o(pu_busy[k]),
+      .active_o(pu_active[k]),
       .perf_o(perf_o[2*(1+k) +: 2])
     );
   end
 
   pu_deal u_deal (
-    .clk_i, .rst_ni, .in_valid_i(culled_valid[PuFronts-1:0]), .in_ready_o(dealt_from),
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(culled_valid[PuFronts-1:0]),
+    .in_ready_o(dealt_from),
     .in_i(culled[PuFronts*VisibleBits-1:0]),
-    .out_valid_o(dealt_valid), .out_ready_i(dealt_ready), .out_room_i(dealt_room), .out_o(dealt),
+    .out_valid_o(dealt_valid),
+    .out_ready_i(dealt_ready),
+    .out_room_i(dealt_room),
+    .out_o(dealt),
     .active_o(deal_active)
   );
 
   pipegs_first_line #(.Ports(Units)) u_full (
-    .valid_i(pu_full), .line_i(pu_full_line), .valid_o(full_o), .line_o(full_line_o)
+    .valid_i(pu_full),
+    .line_i(pu_full_line),
+    .valid_o(full_o),
+    .line_o(full_line_o)
   );
   pipegs_first_line #(.Ports(1 + Units)) u_bad (
-    .valid_i({pu_bad, dopu_bad}), .line_i({pu_bad_line, dopu_bad_line}), .valid_o(bad_o), .line_o(bad_line_o)
+    .valid_i({pu_bad, dopu_bad}),
+    .line_i({pu_bad_line, dopu_bad_line}),
+    .valid_o(bad_o),
+    .line_o(bad_line_o)
   );
 
   assign busy_o            = dopu_busy || pu_busy != '0 || deal_active;

@@ -70,10 +70,23 @@ module pipegs_host #(
   assign mem_valid_o = core_valid && !apart;
 
   pipegs_control_registers u_registers (
-    .clk_i, .rst_ni, .s_axi_i, .s_axi_o, .irq_o,
-    .frame_valid_o(frame_valid), .frame_ready_i(frame_ready), .frame_o(frame), .areas_o(areas), .picture_o(picture),
-    .abort_o(abort), .timeout_o(timeout), .apart_i(apart), .busy_i(busy), .silent_i(read_silent || write_silent),
-    .frame_done_i(done), .error_i(errors),
+    .clk_i,
+    .rst_ni,
+    .s_axi_i,
+    .s_axi_o,
+    .irq_o,
+    .frame_valid_o(frame_valid),
+    .frame_ready_i(frame_ready),
+    .frame_o(frame),
+    .areas_o(areas),
+    .picture_o(picture),
+    .abort_o(abort),
+    .timeout_o(timeout),
+    .apart_i(apart),
+    .busy_i(busy),
+    .silent_i(read_silent || write_silent),
+    .frame_done_i(done),
+    .error_i(errors),
     .located_i({mem_write_wait_i.located, mem_read_wait_i.located, 2'b11, 2'b11, 2'b00}),
     .error_address_i({mem_write_wait_i.line, mem_read_wait_i.line, core_error_line, mem_error_line_i, mem_error_line_i,
                       LineW'(0), LineW'(0)}),
@@ -81,38 +94,82 @@ module pipegs_host #(
   );
 
   pipegs_control_watch u_watch_reads (
-    .clk_i, .rst_ni, .limit_i(timeout), .waits_i(mem_read_wait_i.waits), .moves_i(mem_read_wait_i.moves),
-    .tell_o(read_timeout), .silent_o(read_silent)
+    .clk_i,
+    .rst_ni,
+    .limit_i(timeout),
+    .waits_i(mem_read_wait_i.waits),
+    .moves_i(mem_read_wait_i.moves),
+    .tell_o(read_timeout),
+    .silent_o(read_silent)
   );
 
   pipegs_control_watch u_watch_writes (
-    .clk_i, .rst_ni, .limit_i(timeout), .waits_i(mem_write_wait_i.waits), .moves_i(mem_write_wait_i.moves),
-    .tell_o(write_timeout), .silent_o(write_silent)
+    .clk_i,
+    .rst_ni,
+    .limit_i(timeout),
+    .waits_i(mem_write_wait_i.waits),
+    .moves_i(mem_write_wait_i.moves),
+    .tell_o(write_timeout),
+    .silent_o(write_silent)
   );
 
   pipegs_control_restart u_restart (
-    .clk_i, .rst_ni, .test_mode_i, .give_up_i(give_up), .drained_i(mem_drained_i), .epoch_o(mem_epoch_o),
-    .apart_o(apart), .core_rst_no(core_rst_n), .ready_o(ready)
+    .clk_i,
+    .rst_ni,
+    .test_mode_i,
+    .give_up_i(give_up),
+    .drained_i(mem_drained_i),
+    .epoch_o(mem_epoch_o),
+    .apart_o(apart),
+    .core_rst_no(core_rst_n),
+    .ready_o(ready)
   );
 
   pipegs_control_done u_done (
-    .clk_i, .rst_ni, .core_done_i(core_done && !apart), .give_up_i(give_up), .writes_i(mem_writes_i),
-    .answered_i(mem_answered_i), .done_o(done), .waiting_o(waiting)
+    .clk_i,
+    .rst_ni,
+    .core_done_i(core_done && !apart),
+    .give_up_i(give_up),
+    .writes_i(mem_writes_i),
+    .answered_i(mem_answered_i),
+    .done_o(done),
+    .waiting_o(waiting)
   );
 
   pipegs_top u_core (
-    .clk_i, .rst_ni(core_rst_n), .scan_en_i,
-    .frame_valid_i(frame_shown), .frame_ready_o(core_ready), .frame_i(frame), .areas_i(areas), .picture_i(picture),
-    .done_o(core_done), .busy_o(core_busy), .error_o(core_error), .error_line_o(core_error_line),
-    .mem_valid_o(core_valid), .mem_ready_i, .mem_request_o, .mem_data_o,
-    .mem_rsp_valid_i, .mem_rsp_tag_i, .mem_rsp_data_i,
-    .cycles_o(cycles), .preprocess_cycles_o(preprocess_cycles), .overflow_lines_o(overflow_lines), .perf_o(perf)
+    .clk_i,
+    .rst_ni(core_rst_n),
+    .scan_en_i,
+    .frame_valid_i(frame_shown),
+    .frame_ready_o(core_ready),
+    .frame_i(frame),
+    .areas_i(areas),
+    .picture_i(picture),
+    .done_o(core_done),
+    .busy_o(core_busy),
+    .error_o(core_error),
+    .error_line_o(core_error_line),
+    .mem_valid_o(core_valid),
+    .mem_ready_i,
+    .mem_request_o,
+    .mem_data_o,
+    .mem_rsp_valid_i,
+    .mem_rsp_tag_i,
+    .mem_rsp_data_i,
+    .cycles_o(cycles),
+    .preprocess_cycles_o(preprocess_cycles),
+    .overflow_lines_o(overflow_lines),
+    .perf_o(perf)
   );
 
 `ifndef SYNTHESIS
   // What is given up is taken back.
   pipegs_stream_check #(.DataW($bits({frame, areas, picture}))) u_check_frame (
-    .clk_i, .rst_ni(ready), .valid_i(frame_shown), .ready_i(core_ready), .beat_i({frame, areas, picture})
+    .clk_i,
+    .rst_ni(ready),
+    .valid_i(frame_shown),
+    .ready_i(core_ready),
+    .beat_i({frame, areas, picture})
   );
   pipegs_stream_check #(.DataW($bits({mem_request_o, mem_data_o}))) u_check_mem (
     .clk_i, .rst_ni(!apart), .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i({mem_request_o, mem_data_o})

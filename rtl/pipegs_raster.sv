@@ -87,8 +87,15 @@ module pipegs_raster #(
                        alphas, alphas_quarter, alphas_region, alphas_index, alphas_valid};
 
   ru_dispatch u_dispatch (
-    .clk_i, .rst_ni, .in_valid_i(sorted_valid_i), .in_ready_o(sorted_ready_o), .in_i(sorted_i),
-    .out_valid_o(splat_valid), .out_ready_i(splat_ready), .out_o(splat), .active_o(dispatch_active)
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(sorted_valid_i),
+    .in_ready_o(sorted_ready_o),
+    .in_i(sorted_i),
+    .out_valid_o(splat_valid),
+    .out_ready_i(splat_ready),
+    .out_o(splat),
+    .active_o(dispatch_active)
   );
 
   for (genvar k = 0; k < Units; k += 1) begin : gen_unit
@@ -108,26 +115,56 @@ module pipegs_raster #(
     end
 
     logic ru_clk;
-    pipegs_clock_gate u_ru_gate (.clk_i, .rst_ni, .scan_en_i, .enable_i(ru_active[k]), .clk_o(ru_clk));
+    pipegs_clock_gate u_ru_gate (
+      .clk_i,
+      .rst_ni,
+      .scan_en_i,
+      .enable_i(ru_active[k]),
+      .clk_o(ru_clk)
+    );
     pipegs_ru u_ru (
-      .clk_i(ru_clk), .rst_ni, .raster_i, .picture_i, .overflow_i, .unit_i(pipegs_pkg::UnitW'(k)), .restart_i,
-      .in_valid_i(splat_valid[k]), .in_ready_o(splat_ready[k]), .in_i(splat),
-      .read_valid_o(read_valid[k*Units +: Units]), .read_ready_i(read_ready[k*Units +: Units]),
-      .read_address_o(read_address[k*AlphaAddressW +: AlphaAddressW]), .read_skip_o(read_skip[k]),
-      .answer_valid_i(answer_valid[k*Units +: Units]), .answer_i(answer),
-      .mem_valid_o(mem_valid[k]), .mem_ready_i(mem_ready[k]), .mem_write_o(mem_write[k]),
+      .clk_i(ru_clk),
+      .rst_ni,
+      .raster_i,
+      .picture_i,
+      .overflow_i,
+      .unit_i(pipegs_pkg::UnitW'(k)),
+      .restart_i,
+      .in_valid_i(splat_valid[k]),
+      .in_ready_o(splat_ready[k]),
+      .in_i(splat),
+      .read_valid_o(read_valid[k*Units +: Units]),
+      .read_ready_i(read_ready[k*Units +: Units]),
+      .read_address_o(read_address[k*AlphaAddressW +: AlphaAddressW]),
+      .read_skip_o(read_skip[k]),
+      .answer_valid_i(answer_valid[k*Units +: Units]),
+      .answer_i(answer),
+      .mem_valid_o(mem_valid[k]),
+      .mem_ready_i(mem_ready[k]),
+      .mem_write_o(mem_write[k]),
       .mem_address_o(mem_address[k*AddressW +: AddressW]),
       .mem_halves_o(halves_o[k*pipegs_pkg::HalvesW +: pipegs_pkg::HalvesW]),
       .mem_data_o(mem_data[k*MemoryW +: MemoryW]),
-      .rsp_valid_i(mem_line[k]), .rsp_data_i(line_i),
-      .pair_valid_o(pair_valid[k]), .pair_taken_o(pair_taken[k]), .pair_row_o(pair_row[k*HalfW +: HalfW]),
-      .pair_at_end_o(pair_at_end[k]), .pair_wanted_o(pair_wanted[k*Slots +: Slots]),
-      .pair_valid_i(other_valid), .pair_taken_i(other_taken), .pair_row_i(other_row), .pair_at_end_i(other_at_end),
+      .rsp_valid_i(mem_line[k]),
+      .rsp_data_i(line_i),
+      .pair_valid_o(pair_valid[k]),
+      .pair_taken_o(pair_taken[k]),
+      .pair_row_o(pair_row[k*HalfW +: HalfW]),
+      .pair_at_end_o(pair_at_end[k]),
+      .pair_wanted_o(pair_wanted[k*Slots +: Slots]),
+      .pair_valid_i(other_valid),
+      .pair_taken_i(other_taken),
+      .pair_row_i(other_row),
+      .pair_at_end_i(other_at_end),
       .pair_wanted_i(other_wanted),
-      .done_o(done[k*Regions +: Regions]), .done_x_o(done_x[k*WindowW +: WindowW]),
+      .done_o(done[k*Regions +: Regions]),
+      .done_x_o(done_x[k*WindowW +: WindowW]),
       .done_y_o(done_y[k*WindowW +: WindowW]),
-      .layer_done_o(layer_done_o[k]), .window_done_o(window_done_o[k]), .idle_o(),
-      .active_o(ru_active[k]), .perf_o(perf_o[2*k +: 2]),
+      .layer_done_o(layer_done_o[k]),
+      .window_done_o(window_done_o[k]),
+      .idle_o(),
+      .active_o(ru_active[k]),
+      .perf_o(perf_o[2*k +: 2]),
       .tap_line_valid_o(alphas_valid[k*TapLanes +: TapLanes]),
       .tap_line_index_o(alphas_index[k*TapLanes*TapIndexW +: TapLanes*TapIndexW]),
       .tap_line_region_o(alphas_region[k*TapLanes*RegionW +: TapLanes*RegionW]),
@@ -147,13 +184,27 @@ module pipegs_raster #(
         assign read_ready[j*Units+k]   = store_read_ready[j];
         assign answer_valid[j*Units+k] = store_answer_valid[j];
       end
-      pipegs_clock_gate u_store_gate (.clk_i, .rst_ni, .scan_en_i, .enable_i(store_active), .clk_o(store_clk));
+      pipegs_clock_gate u_store_gate (
+        .clk_i,
+        .rst_ni,
+        .scan_en_i,
+        .enable_i(store_active),
+        .clk_o(store_clk)
+      );
       pipegs_alpha_store u_store (
-        .clk_i(store_clk), .rst_ni, .write_i(store_i.write[k]),
-        .address_i(store_i.address[k*AlphaAddressW +: AlphaAddressW]), .line_i(store_i.line[k*LineW +: LineW]),
-        .read_valid_i(store_read_valid), .read_ready_o(store_read_ready), .read_address_i(read_address),
-        .read_skip_i(read_skip), .answer_valid_o(store_answer_valid), .answer_o(answer[k*LineW +: LineW]),
-        .free_o(line_free_o[k]), .active_o(store_active)
+        .clk_i(store_clk),
+        .rst_ni,
+        .write_i(store_i.write[k]),
+        .address_i(store_i.address[k*AlphaAddressW +: AlphaAddressW]),
+        .line_i(store_i.line[k*LineW +: LineW]),
+        .read_valid_i(store_read_valid),
+        .read_ready_o(store_read_ready),
+        .read_address_i(read_address),
+        .read_skip_i(read_skip),
+        .answer_valid_o(store_answer_valid),
+        .answer_o(answer[k*LineW +: LineW]),
+        .free_o(line_free_o[k]),
+        .active_o(store_active)
       );
     end
   end
@@ -166,7 +217,12 @@ module pipegs_raster #(
     assign unused_stores = &{1'b0, store_i, read_valid, read_address, read_skip};
   end
 
-  pipegs_layer_free u_layer_free (.clk_i, .rst_ni, .done_i(layer_done_o), .free_o(layer_free_o));
+  pipegs_layer_free u_layer_free (
+    .clk_i,
+    .rst_ni,
+    .done_i(layer_done_o),
+    .free_o(layer_free_o)
+  );
 
   assign busy_o = ru_active != '0 || dispatch_active;
 

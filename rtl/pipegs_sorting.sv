@@ -68,16 +68,40 @@ module pipegs_sorting #(
     pipegs_pkg::splat_t  listed;
     assign lists_o = {list_data, list_lines, list_address, list_write, list_valid};
     assign {list_line, list_ready} = lists_i;
-    pipegs_clock_gate u_lists_gate (.clk_i, .rst_ni, .scan_en_i, .enable_i(lists_active), .clk_o(lists_clk));
+    pipegs_clock_gate u_lists_gate (
+      .clk_i,
+      .rst_ni,
+      .scan_en_i,
+      .enable_i(lists_active),
+      .clk_o(lists_clk)
+    );
     pipegs_lists u_lists (
-      .clk_i(lists_clk), .rst_ni, .windows_i, .overflow_i, .restart_i,
-      .made_valid_i, .made_ready_o, .made_i, .number_i,
-      .mem_valid_o(list_valid), .mem_ready_i(list_ready), .mem_write_o(list_write), .mem_address_o(list_address),
-      .mem_lines_o(list_lines), .mem_data_o(list_data), .rsp_valid_i(list_line), .rsp_data_i(line_i),
-      .splat_valid_o(splat_valid), .splat_ready_i(splat_ready),
+      .clk_i(lists_clk),
+      .rst_ni,
+      .windows_i,
+      .overflow_i,
+      .restart_i,
+      .made_valid_i,
+      .made_ready_o,
+      .made_i,
+      .number_i,
+      .mem_valid_o(list_valid),
+      .mem_ready_i(list_ready),
+      .mem_write_o(list_write),
+      .mem_address_o(list_address),
+      .mem_lines_o(list_lines),
+      .mem_data_o(list_data),
+      .rsp_valid_i(list_line),
+      .rsp_data_i(line_i),
+      .splat_valid_o(splat_valid),
+      .splat_ready_i(splat_ready),
       .splat_room_i(splat_ready),  // an SU's ready is a register: it waits for no valid
-      .splat_o(listed), .full_o(full[Units]), .full_line_o(full_line[Units*AddressW +: AddressW]),
-      .written_o, .busy_o(lists_busy), .active_o(lists_active)
+      .splat_o(listed),
+      .full_o(full[Units]),
+      .full_line_o(full_line[Units*AddressW +: AddressW]),
+      .written_o,
+      .busy_o(lists_busy),
+      .active_o(lists_active)
     );
     assign splat = {Units{listed}};
   end else begin : gen_direct
@@ -97,7 +121,10 @@ module pipegs_sorting #(
   if (pipegs_pkg::HasWatermarks) begin : gen_near
     logic [pipegs_pkg::ExpW-1:0]               octave_q;
     logic [$clog2(pipegs_pkg::WorldW + 1)-1:0] length;
-    pipegs_bit_length #(.DataW(pipegs_pkg::WorldW)) u_near (.in_i(near_plane_i), .length_o(length));
+    pipegs_bit_length #(.DataW(pipegs_pkg::WorldW)) u_near (
+      .in_i(near_plane_i),
+      .length_o(length)
+    );
     always_ff @(posedge clk_i) octave_q <= length == '0 ? '0 : pipegs_pkg::ExpW'(length - 1'b1);
     assign octave = octave_q;
   end else begin : gen_no_near
@@ -108,27 +135,59 @@ module pipegs_sorting #(
 
   for (genvar k = 0; k < Units; k += 1) begin : gen_unit
     logic su_clk;
-    pipegs_clock_gate u_su_gate (.clk_i, .rst_ni, .scan_en_i, .enable_i(su_active[k]), .clk_o(su_clk));
+    pipegs_clock_gate u_su_gate (
+      .clk_i,
+      .rst_ni,
+      .scan_en_i,
+      .enable_i(su_active[k]),
+      .clk_o(su_clk)
+    );
     pipegs_su u_su (
-      .clk_i(su_clk), .rst_ni, .overflow_i, .unit_i(pipegs_pkg::UnitW'(k)), .octave_i(octave),
-      .in_valid_i(splat_valid[k]), .in_ready_o(splat_ready[k]), .in_i(splat[k*SplatBits +: SplatBits]),
-      .out_valid_o(in_order_valid[k]), .out_ready_i(in_order_ready[k]), .out_o(in_order[k*SplatBits +: SplatBits]),
-      .spill_i((spilling & ~(Units'(1) << k)) != '0), .spilling_o(spilling[k]),
-      .mem_valid_o(mem_valid[k]), .mem_ready_i(mem_ready[k]), .mem_write_o(mem_write[k]),
-      .mem_address_o(mem_address[k*AddressW +: AddressW]), .mem_data_o(mem_data[k*MemoryW +: MemoryW]),
-      .rsp_valid_i(mem_line[k]), .rsp_data_i(line_i),
-      .full_o(full[k]), .full_line_o(full_line[k*AddressW +: AddressW]), .overflow_o(overflow_o[k]),
-      .active_o(su_active[k]), .perf_o(perf_o[2*k +: 2])
+      .clk_i(su_clk),
+      .rst_ni,
+      .overflow_i,
+      .unit_i(pipegs_pkg::UnitW'(k)),
+      .octave_i(octave),
+      .in_valid_i(splat_valid[k]),
+      .in_ready_o(splat_ready[k]),
+      .in_i(splat[k*SplatBits +: SplatBits]),
+      .out_valid_o(in_order_valid[k]),
+      .out_ready_i(in_order_ready[k]),
+      .out_o(in_order[k*SplatBits +: SplatBits]),
+      .spill_i((spilling & ~(Units'(1) << k)) != '0),
+      .spilling_o(spilling[k]),
+      .mem_valid_o(mem_valid[k]),
+      .mem_ready_i(mem_ready[k]),
+      .mem_write_o(mem_write[k]),
+      .mem_address_o(mem_address[k*AddressW +: AddressW]),
+      .mem_data_o(mem_data[k*MemoryW +: MemoryW]),
+      .rsp_valid_i(mem_line[k]),
+      .rsp_data_i(line_i),
+      .full_o(full[k]),
+      .full_line_o(full_line[k*AddressW +: AddressW]),
+      .overflow_o(overflow_o[k]),
+      .active_o(su_active[k]),
+      .perf_o(perf_o[2*k +: 2])
     );
   end
 
   su_merge u_merge (
-    .clk_i, .rst_ni, .in_valid_i(in_order_valid), .in_ready_o(in_order_ready), .in_i(in_order),
-    .out_valid_o(sorted_valid_o), .out_ready_i(sorted_ready_i), .out_o(sorted_o), .active_o(merge_active)
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(in_order_valid),
+    .in_ready_o(in_order_ready),
+    .in_i(in_order),
+    .out_valid_o(sorted_valid_o),
+    .out_ready_i(sorted_ready_i),
+    .out_o(sorted_o),
+    .active_o(merge_active)
   );
 
   pipegs_first_line #(.Ports(Units + 1)) u_full (
-    .valid_i(full), .line_i(full_line), .valid_o(full_o), .line_o(full_line_o)
+    .valid_i(full),
+    .line_i(full_line),
+    .valid_o(full_o),
+    .line_o(full_line_o)
   );
 
   assign busy_o            = su_active != '0 || merge_active || lists_busy;

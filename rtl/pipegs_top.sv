@@ -107,14 +107,33 @@ module pipegs_top #(
   assign sorted_taken = sorted_valid && sorted_ready;
 
   pipegs_scheduler u_scheduler (
-    .clk_i, .rst_ni, .frame_valid_i, .frame_ready_o, .same_i(same), .windows_i(front_q.raster.windows),
-    .front_busy_i(front_busy), .back_busy_i(raster_busy), .storing_i(storing),
+    .clk_i,
+    .rst_ni,
+    .frame_valid_i,
+    .frame_ready_o,
+    .same_i(same),
+    .windows_i(front_q.raster.windows),
+    .front_busy_i(front_busy),
+    .back_busy_i(raster_busy),
+    .storing_i(storing),
     .idle_i(!front_busy && !sorting_busy && !raster_busy && !memory_busy),
-    .end_i(sorted_taken && sorted.kind == pipegs_pkg::KindWindowEnd), .window_done_i(window_done), .written_i(written),
-    .overflow_sort_i(overflow_sort), .overflow_alpha_i(overflow_alpha),
-    .front_take_o(front_take), .front_restart_o(front_restart), .back_take_o(back_take),
-    .back_restart_o(back_restart), .hold_o(hold), .listen_o(listen), .begin_o(begins), .done_o, .busy_o,
-    .cycles_o, .preprocess_cycles_o, .overflow_lines_o
+    .end_i(sorted_taken && sorted.kind == pipegs_pkg::KindWindowEnd),
+    .window_done_i(window_done),
+    .written_i(written),
+    .overflow_sort_i(overflow_sort),
+    .overflow_alpha_i(overflow_alpha),
+    .front_take_o(front_take),
+    .front_restart_o(front_restart),
+    .back_take_o(back_take),
+    .back_restart_o(back_restart),
+    .hold_o(hold),
+    .listen_o(listen),
+    .begin_o(begins),
+    .done_o,
+    .busy_o,
+    .cycles_o,
+    .preprocess_cycles_o,
+    .overflow_lines_o
   );
 
   // --- the machine --------------------------------------------------------------------------------------------------
@@ -124,55 +143,144 @@ module pipegs_top #(
   end
 
   pipegs_front u_front (
-    .clk_i, .rst_ni, .scan_en_i, .frame_i(front_q), .areas_i(areas_q), .restart_i(front_restart),
-    .reads_o(reads), .reads_i(reads_answer), .spill_o(spill), .spill_i(spill_answer), .line_i(line),
-    .progress_i(heard), .line_free_i(line_free), .layer_free_i(layer_free), .store_o(store),
-    .splat_valid_o(splat_valid), .splat_ready_i(splat_ready), .splat_o(splat), .number_o(number),
-    .full_o(alphas_full), .full_line_o(alphas_full_line), .bad_o(scene_bad), .bad_line_o(scene_bad_line),
-    .overflow_o(overflow_alpha), .busy_o(front_busy), .perf_o(perf_state[0 +: 2*(1+Units)]),
-    .tap_chunk_valid_o(tap_chunk_valid), .tap_chunk_kind_o(tap_chunk_kind)
+    .clk_i,
+    .rst_ni,
+    .scan_en_i,
+    .frame_i(front_q),
+    .areas_i(areas_q),
+    .restart_i(front_restart),
+    .reads_o(reads),
+    .reads_i(reads_answer),
+    .spill_o(spill),
+    .spill_i(spill_answer),
+    .line_i(line),
+    .progress_i(heard),
+    .line_free_i(line_free),
+    .layer_free_i(layer_free),
+    .store_o(store),
+    .splat_valid_o(splat_valid),
+    .splat_ready_i(splat_ready),
+    .splat_o(splat),
+    .number_o(number),
+    .full_o(alphas_full),
+    .full_line_o(alphas_full_line),
+    .bad_o(scene_bad),
+    .bad_line_o(scene_bad_line),
+    .overflow_o(overflow_alpha),
+    .busy_o(front_busy),
+    .perf_o(perf_state[0 +: 2*(1+Units)]),
+    .tap_chunk_valid_o(tap_chunk_valid),
+    .tap_chunk_kind_o(tap_chunk_kind)
   );
 
   pipegs_sorting u_sorting (
-    .clk_i, .rst_ni, .scan_en_i, .windows_i(front_q.raster.windows), .overflow_i(overflow),
-    .near_plane_i(front_q.lens.near_plane), .restart_i(front_restart),
-    .made_valid_i(splat_valid), .made_ready_o(splat_ready), .made_i(splat), .number_i(number),
-    .sorted_valid_o(sorted_valid), .sorted_ready_i(sorted_ready), .sorted_o(sorted),
-    .sort_o(sort), .sort_i(sort_answer), .lists_o(lists), .lists_i(lists_answer), .line_i(line),
-    .full_o(sorting_full), .full_line_o(sorting_full_line),
-    .written_o(written), .overflow_o(overflow_sort), .busy_o(sorting_busy), .perf_o(perf_state[2*(1+Units) +: 2*Units]),
-    .tap_splat_valid_o(tap_splat_valid), .tap_splat_o(tap_splat)
+    .clk_i,
+    .rst_ni,
+    .scan_en_i,
+    .windows_i(front_q.raster.windows),
+    .overflow_i(overflow),
+    .near_plane_i(front_q.lens.near_plane),
+    .restart_i(front_restart),
+    .made_valid_i(splat_valid),
+    .made_ready_o(splat_ready),
+    .made_i(splat),
+    .number_i(number),
+    .sorted_valid_o(sorted_valid),
+    .sorted_ready_i(sorted_ready),
+    .sorted_o(sorted),
+    .sort_o(sort),
+    .sort_i(sort_answer),
+    .lists_o(lists),
+    .lists_i(lists_answer),
+    .line_i(line),
+    .full_o(sorting_full),
+    .full_line_o(sorting_full_line),
+    .written_o(written),
+    .overflow_o(overflow_sort),
+    .busy_o(sorting_busy),
+    .perf_o(perf_state[2*(1+Units) +: 2*Units]),
+    .tap_splat_valid_o(tap_splat_valid),
+    .tap_splat_o(tap_splat)
   );
 
   pipegs_raster u_raster (
-    .clk_i, .rst_ni, .scan_en_i, .raster_i(back_raster_q), .picture_i(back_picture_q),
-    .overflow_i(overflow), .restart_i(back_restart),
-    .sorted_valid_i(sorted_valid && !hold), .sorted_ready_o(raster_ready), .sorted_i(sorted), .store_i(store),
-    .memory_o(pixels), .halves_o(halves), .memory_i(pixels_answer), .line_i(line),
-    .progress_o(progress), .line_free_o(line_free), .layer_free_o(layer_free), .layer_done_o(layer_done),
+    .clk_i,
+    .rst_ni,
+    .scan_en_i,
+    .raster_i(back_raster_q),
+    .picture_i(back_picture_q),
+    .overflow_i(overflow),
+    .restart_i(back_restart),
+    .sorted_valid_i(sorted_valid && !hold),
+    .sorted_ready_o(raster_ready),
+    .sorted_i(sorted),
+    .store_i(store),
+    .memory_o(pixels),
+    .halves_o(halves),
+    .memory_i(pixels_answer),
+    .line_i(line),
+    .progress_o(progress),
+    .line_free_o(line_free),
+    .layer_free_o(layer_free),
+    .layer_done_o(layer_done),
     .window_done_o(window_done),
-    .busy_o(raster_busy), .perf_o(perf_state[2*(1+2*Units) +: 2*Units]), .taps_o(taps)
+    .busy_o(raster_busy),
+    .perf_o(perf_state[2*(1+2*Units) +: 2*Units]),
+    .taps_o(taps)
   );
 
   pipegs_memory_ports u_memory (
-    .clk_i, .rst_ni, .spill_i(spill), .spill_o(spill_answer), .sort_i(sort), .sort_o(sort_answer),
-    .raster_i(pixels), .halves_i(halves), .raster_o(pixels_answer), .lists_i(lists), .lists_o(lists_answer),
-    .reads_i(reads), .reads_o(reads_answer), .stop_i(stop), .line_o(line), .storing_o(storing), .busy_o(memory_busy),
-    .mem_valid_o, .mem_ready_i, .mem_request_o, .mem_data_o, .mem_rsp_valid_i, .mem_rsp_tag_i, .mem_rsp_data_i
+    .clk_i,
+    .rst_ni,
+    .spill_i(spill),
+    .spill_o(spill_answer),
+    .sort_i(sort),
+    .sort_o(sort_answer),
+    .raster_i(pixels),
+    .halves_i(halves),
+    .raster_o(pixels_answer),
+    .lists_i(lists),
+    .lists_o(lists_answer),
+    .reads_i(reads),
+    .reads_o(reads_answer),
+    .stop_i(stop),
+    .line_o(line),
+    .storing_o(storing),
+    .busy_o(memory_busy),
+    .mem_valid_o,
+    .mem_ready_i,
+    .mem_request_o,
+    .mem_data_o,
+    .mem_rsp_valid_i,
+    .mem_rsp_tag_i,
+    .mem_rsp_data_i
   );
 
   assign pixels_room = front_picture_q.format ? areas_q.picture : areas_q.pixels;
   pipegs_errors u_errors (
-    .clk_i, .rst_ni, .restart_i(front_restart), .raster_i(front_q.raster), .by_windows_i(!front_picture_q.format),
-    .stride_i(front_picture_q.stride), .pixels_i({pixels_room, back_picture.base}),
-    .full_i({sorting_full, alphas_full}), .full_line_i({sorting_full_line, alphas_full_line}),
-    .bad_i(scene_bad), .bad_line_i(scene_bad_line),
-    .error_o, .error_line_o, .stop_o(stop)
+    .clk_i,
+    .rst_ni,
+    .restart_i(front_restart),
+    .raster_i(front_q.raster),
+    .by_windows_i(!front_picture_q.format),
+    .stride_i(front_picture_q.stride),
+    .pixels_i({pixels_room, back_picture.base}),
+    .full_i({sorting_full, alphas_full}),
+    .full_line_i({sorting_full_line, alphas_full_line}),
+    .bad_i(scene_bad),
+    .bad_line_i(scene_bad_line),
+    .error_o,
+    .error_line_o,
+    .stop_o(stop)
   );
 
   for (genvar i = 0; i < PerfUnits; i += 1) begin : gen_perf
     pipegs_perf u_perf (
-      .clk_i, .rst_ni, .restart_i(begins), .running_i(running), .state_i(perf_state[2*i +: 2]),
+      .clk_i,
+      .rst_ni,
+      .restart_i(begins),
+      .running_i(running),
+      .state_i(perf_state[2*i +: 2]),
       .counts_o(perf_o[i*4*PerfW +: 4*PerfW])
     );
   end
@@ -183,7 +291,11 @@ module pipegs_top #(
 
 `ifndef SYNTHESIS
   pipegs_stream_check #(.DataW($bits(sorted))) u_check_sorted (
-    .clk_i, .rst_ni, .valid_i(sorted_valid && !hold), .ready_i(raster_ready), .beat_i(sorted)
+    .clk_i,
+    .rst_ni,
+    .valid_i(sorted_valid && !hold),
+    .ready_i(raster_ready),
+    .beat_i(sorted)
   );
 `endif
 

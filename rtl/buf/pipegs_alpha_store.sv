@@ -56,20 +56,42 @@ module pipegs_alpha_store #(
   assign active_o       = write_i || read || free_q || asked_q != '0 || answer_valid_q != '0 || pool_active;
 
   pipegs_arbiter #(.Ports(Units)) u_arbiter (
-    .clk_i, .rst_ni, .request_i(read_valid_i), .advance_i(1'b1), .grant_o(grant), .port_o(port)
+    .clk_i,
+    .rst_ni,
+    .request_i(read_valid_i),
+    .advance_i(1'b1),
+    .grant_o(grant),
+    .port_o(port)
   );
 
   pipegs_slot_pool #(.Slots(Lines)) u_pool (
-    .clk_i, .rst_ni, .slot_valid_o(slot_valid), .slot_ready_i(write_i), .slot_o(write_slot),
-    .free_i(free_q), .free_slot_i(read_slot), .used_o(used), .active_o(pool_active)
+    .clk_i,
+    .rst_ni,
+    .slot_valid_o(slot_valid),
+    .slot_ready_i(write_i),
+    .slot_o(write_slot),
+    .free_i(free_q),
+    .free_slot_i(read_slot),
+    .used_o(used),
+    .active_o(pool_active)
   );
   pipegs_sram #(.DataW(SlotW), .Depth(pipegs_pkg::AlphaAddresses)) u_slots (
-    .clk_i, .write_i, .waddr_i(address_i[RingW-1:0]), .wdata_i(write_slot),
-    .read_i(read), .raddr_i(read_address[RingW-1:0]), .rdata_o(read_slot)
+    .clk_i,
+    .write_i,
+    .waddr_i(address_i[RingW-1:0]),
+    .wdata_i(write_slot),
+    .read_i(read),
+    .raddr_i(read_address[RingW-1:0]),
+    .rdata_o(read_slot)
   );
   pipegs_sram #(.DataW(LineW), .Depth(Lines)) u_lines (
-    .clk_i, .write_i, .waddr_i(write_slot), .wdata_i(line_i),
-    .read_i(asked_q != '0), .raddr_i(read_slot), .rdata_o(answer_o)
+    .clk_i,
+    .write_i,
+    .waddr_i(write_slot),
+    .wdata_i(line_i),
+    .read_i(asked_q != '0),
+    .raddr_i(read_slot),
+    .rdata_o(answer_o)
   );
 
   always_ff @(posedge clk_i or negedge rst_ni) begin

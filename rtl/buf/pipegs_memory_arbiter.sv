@@ -65,7 +65,12 @@ module pipegs_memory_arbiter #(
   assign request = first != '0 ? first : second != '0 ? second : others;
 
   pipegs_arbiter #(.Ports(Ports)) u_arbiter (
-    .clk_i, .rst_ni, .request_i(request), .advance_i(moves), .grant_o(grant), .port_o(port)
+    .clk_i,
+    .rst_ni,
+    .request_i(request),
+    .advance_i(moves),
+    .grant_o(grant),
+    .port_o(port)
   );
 
   assign served  = (grant_q & valid_i & able) != '0;
@@ -140,7 +145,11 @@ module pipegs_memory_arbiter #(
 
 `ifndef SYNTHESIS
   pipegs_stream_check #(.DataW($bits({mem_request_o, mem_data_o})), .Proven(1)) u_check_mem (
-    .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i({mem_request_o, mem_data_o})
+    .clk_i,
+    .rst_ni,
+    .valid_i(mem_valid_o),
+    .ready_i(mem_ready_i),
+    .beat_i({mem_request_o, mem_data_o})
   );
 `endif
 

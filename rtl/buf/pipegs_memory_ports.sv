@@ -79,9 +79,25 @@ module pipegs_memory_ports #(
   end
 
   pipegs_memory_arbiter u_arbiter (
-    .clk_i, .rst_ni, .valid_i(valid), .ready_o(ready), .write_i(write), .address_i(address), .halves_i(halves),
-    .lines_i(lines), .data_i(data), .stop_i, .rsp_valid_o(line), .rsp_data_o(line_o),
-    .mem_valid_o, .mem_ready_i, .mem_request_o, .mem_data_o, .mem_rsp_valid_i, .mem_rsp_tag_i, .mem_rsp_data_i
+    .clk_i,
+    .rst_ni,
+    .valid_i(valid),
+    .ready_o(ready),
+    .write_i(write),
+    .address_i(address),
+    .halves_i(halves),
+    .lines_i(lines),
+    .data_i(data),
+    .stop_i,
+    .rsp_valid_o(line),
+    .rsp_data_o(line_o),
+    .mem_valid_o,
+    .mem_ready_i,
+    .mem_request_o,
+    .mem_data_o,
+    .mem_rsp_valid_i,
+    .mem_rsp_tag_i,
+    .mem_rsp_data_i
   );
 
   assign busy_o    = valid != '0 || mem_valid_o;
@@ -91,7 +107,11 @@ module pipegs_memory_ports #(
 
 `ifndef SYNTHESIS
   pipegs_stream_check #(.Ports(Ports), .DataW(AddressW)) u_check_port (
-    .clk_i, .rst_ni, .valid_i(valid), .ready_i(ready), .beat_i(address)
+    .clk_i,
+    .rst_ni,
+    .valid_i(valid),
+    .ready_i(ready),
+    .beat_i(address)
   );
 `endif
 

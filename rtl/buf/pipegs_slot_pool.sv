@@ -39,8 +39,15 @@ module pipegs_slot_pool #(
   assign active_o     = take || free_i || (waiting != '0 && !back_valid);
 
   pipegs_sram_fifo #(.DataW(SlotW), .Depth(Slots)) u_back (
-    .clk_i, .rst_ni, .in_valid_i(free_i), .in_ready_o(unused_ready), .in_i(free_slot_i),
-    .out_valid_o(back_valid), .out_ready_i(slot_ready_i && !fresh), .out_o(back), .count_o(waiting)
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(free_i),
+    .in_ready_o(unused_ready),
+    .in_i(free_slot_i),
+    .out_valid_o(back_valid),
+    .out_ready_i(slot_ready_i && !fresh),
+    .out_o(back),
+    .count_o(waiting)
   );
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -57,7 +64,11 @@ module pipegs_slot_pool #(
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni) assert (!free_i || (unused_ready && used_q != '0));
   pipegs_stream_check #(.DataW($bits(slot_o)), .Proven(1)) u_check_slot (
-    .clk_i, .rst_ni, .valid_i(slot_valid_o), .ready_i(slot_ready_i), .beat_i(slot_o)
+    .clk_i,
+    .rst_ni,
+    .valid_i(slot_valid_o),
+    .ready_i(slot_ready_i),
+    .beat_i(slot_o)
   );
 `endif
 

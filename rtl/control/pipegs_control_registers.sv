@@ -67,30 +67,72 @@ module pipegs_control_registers #(
   logic [31:0]                      started, done;
 
   pipegs_control_bus u_bus (
-    .clk_i, .rst_ni, .s_axi_i, .s_axi_o,
-    .write_o(write), .write_word_o(write_word), .write_data_o(write_data), .write_mask_o(write_mask),
-    .write_error_i(write_error), .read_o(read), .read_word_o(read_word), .read_data_i(read_data),
+    .clk_i,
+    .rst_ni,
+    .s_axi_i,
+    .s_axi_o,
+    .write_o(write),
+    .write_word_o(write_word),
+    .write_data_o(write_data),
+    .write_mask_o(write_mask),
+    .write_error_i(write_error),
+    .read_o(read),
+    .read_word_o(read_word),
+    .read_data_i(read_data),
     .read_error_i(read_error)
   );
 
   pipegs_control_shadow u_shadow (
-    .clk_i, .rst_ni, .write_i(write), .write_word_i(write_word), .write_data_i(write_data), .write_mask_i(write_mask),
-    .write_hit_o(shadow_write_hit), .read_word_i(read_word), .read_hit_o(shadow_read_hit), .read_data_o(shadow_data),
-    .start_i(control.start), .drop_i(control.abort_all),
-    .frame_valid_o, .frame_ready_i, .frame_o, .areas_o, .picture_o
+    .clk_i,
+    .rst_ni,
+    .write_i(write),
+    .write_word_i(write_word),
+    .write_data_i(write_data),
+    .write_mask_i(write_mask),
+    .write_hit_o(shadow_write_hit),
+    .read_word_i(read_word),
+    .read_hit_o(shadow_read_hit),
+    .read_data_o(shadow_data),
+    .start_i(control.start),
+    .drop_i(control.abort_all),
+    .frame_valid_o,
+    .frame_ready_i,
+    .frame_o,
+    .areas_o,
+    .picture_o
   );
 
   pipegs_control_counters u_counters (
-    .clk_i, .rst_ni, .apart_i, .counters_i, .read_i(read), .read_word_i(read_word), .read_hit_o(counters_hit),
+    .clk_i,
+    .rst_ni,
+    .apart_i,
+    .counters_i,
+    .read_i(read),
+    .read_word_i(read_word),
+    .read_hit_o(counters_hit),
     .read_data_o(counters_data)
   );
 
   pipegs_control_events u_events (
-    .clk_i, .rst_ni, .taken_i(taken), .freed_i(queued && (frame_ready_i || control.abort_all)), .frame_done_i, .error_i,
-    .located_i, .error_address_i, .start_full_i(control.start && !control.abort_all && queued),
-    .clear_error_i(clear_error), .clear_irq_i(clear_irq), .enable_i(irq_enable_q),
-    .error_o(error), .error_first_o(error_first), .error_line_o(error_line), .irq_status_o(irq_status),
-    .started_o(started), .done_o(done), .irq_o
+    .clk_i,
+    .rst_ni,
+    .taken_i(taken),
+    .freed_i(queued && (frame_ready_i || control.abort_all)),
+    .frame_done_i,
+    .error_i,
+    .located_i,
+    .error_address_i,
+    .start_full_i(control.start && !control.abort_all && queued),
+    .clear_error_i(clear_error),
+    .clear_irq_i(clear_irq),
+    .enable_i(irq_enable_q),
+    .error_o(error),
+    .error_first_o(error_first),
+    .error_line_o(error_line),
+    .irq_status_o(irq_status),
+    .started_o(started),
+    .done_o(done),
+    .irq_o
   );
 
   // --- writes --------------------------------------------------------------------------------------------------------

@@ -64,8 +64,15 @@ module pipegs_control_shadow #(
 
     if (Width > 0) begin : gen_value
       pipegs_control_slot #(.WordW(WordW), .Word(Offset / 4), .Width(Width), .Shift(Shift), .Signed(Signed)) u_slot (
-        .clk_i, .rst_ni, .write_i(write), .write_word_i, .write_data_i, .write_mask_i, .read_word_i,
-        .read_data_o(shown[32*i +: 32]), .value_o(shadow[At +: Width])
+        .clk_i,
+        .rst_ni,
+        .write_i(write),
+        .write_word_i,
+        .write_data_i,
+        .write_mask_i,
+        .read_word_i,
+        .read_data_o(shown[32*i +: 32]),
+        .value_o(shadow[At +: Width])
       );
     end else begin : gen_absent
       assign shown[32*i +: 32] = '0;
@@ -87,7 +94,10 @@ module pipegs_control_shadow #(
 `ifndef SYNTHESIS
   // A frame that is dropped is taken back.
   pipegs_stream_check #(.DataW($bits({frame_o, areas_o, picture_o}))) u_check_frame (
-    .clk_i, .rst_ni(rst_ni && !drop_i), .valid_i(frame_valid_o), .ready_i(frame_ready_i),
+    .clk_i,
+    .rst_ni(rst_ni && !drop_i),
+    .valid_i(frame_valid_o),
+    .ready_i(frame_ready_i),
     .beat_i({frame_o, areas_o, picture_o})
   );
 `endif

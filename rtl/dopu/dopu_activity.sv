@@ -49,7 +49,13 @@ module dopu_activity #(
   assign blocked = chunk_valid_i || out_valid_i != '0;
   assign woken   = start_i || memory_i || news_i ||
                    (out_valid_i != '0 ? out_ready_i != '0 : chunk_valid_i && out_room_i != '0);
-  pipegs_sleep #(.Patience(127)) u_sleep (.clk_i, .rst_ni, .moved_i, .wake_i(woken), .asleep_o(asleep));
+  pipegs_sleep #(.Patience(127)) u_sleep (
+    .clk_i,
+    .rst_ni,
+    .moved_i,
+    .wake_i(woken),
+    .asleep_o(asleep)
+  );
 
   assign busy_o   = busy_q;
   assign active_o = start_i || (busy_q && (moved_i || !asleep));

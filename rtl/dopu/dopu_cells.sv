@@ -165,9 +165,13 @@ module dopu_cells #(
   end
 
   pipegs_sram #(.DataW(2 * NodeBits), .Depth(2 ** TableW)) u_table (
-    .clk_i, .write_i(answer), .waddr_i(write_line_q),
+    .clk_i,
+    .write_i(answer),
+    .waddr_i(write_line_q),
     .wdata_i({rsp_data_i[pipegs_pkg::MemoryW/2 +: NodeBits], rsp_data_i[0 +: NodeBits]}),
-    .read_i(read), .raddr_i(cell_i[CellW-1 -: TableW]), .rdata_o(line)
+    .read_i(read),
+    .raddr_i(cell_i[CellW-1 -: TableW]),
+    .rdata_o(line)
   );
 
   assign item         = item_half_q ? line[NodeBits +: NodeBits] : line[0 +: NodeBits];
@@ -183,10 +187,18 @@ module dopu_cells #(
 
 `ifndef SYNTHESIS
   pipegs_stream_check #(.DataW($bits({kind_o, set_o, cell_o}))) u_check_cell (
-    .clk_i, .rst_ni, .valid_i(cell_valid_o), .ready_i(cell_ready_i), .beat_i({kind_o, set_o, cell_o})
+    .clk_i,
+    .rst_ni,
+    .valid_i(cell_valid_o),
+    .ready_i(cell_ready_i),
+    .beat_i({kind_o, set_o, cell_o})
   );
   pipegs_stream_check #(.DataW($bits(mem_address_o))) u_check_mem (
-    .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i(mem_address_o)
+    .clk_i,
+    .rst_ni,
+    .valid_i(mem_valid_o),
+    .ready_i(mem_ready_i),
+    .beat_i(mem_address_o)
   );
 `endif
 

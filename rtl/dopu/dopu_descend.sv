@@ -105,11 +105,25 @@ module dopu_descend #(
   pipegs_pkg::node_t result_node;
 
   dopu_test #(.TagW(TagW)) u_test (
-    .clk_i, .rst_ni, .awake_i, .position_i, .near_plane_i, .planes_i,
-    .node_valid_i(test_valid), .node_ready_o(test_ready), .node_i(test_beat[0 +: NodeBits]), .set_i(test_beat[BeatW-1]),
-    .tight_i(1'b0), .scale_i('0), .tag_i({test_level, test_beat[BeatW-1:NodeBits]}),
-    .result_valid_o(result_valid), .result_pass_o(result_pass), .result_node_o(result_node), .result_tag_o(result_tag),
-    .result_nearest_o(), .result_exponent_o()
+    .clk_i,
+    .rst_ni,
+    .awake_i,
+    .position_i,
+    .near_plane_i,
+    .planes_i,
+    .node_valid_i(test_valid),
+    .node_ready_o(test_ready),
+    .node_i(test_beat[0 +: NodeBits]),
+    .set_i(test_beat[BeatW-1]),
+    .tight_i(1'b0),
+    .scale_i('0),
+    .tag_i({test_level, test_beat[BeatW-1:NodeBits]}),
+    .result_valid_o(result_valid),
+    .result_pass_o(result_pass),
+    .result_node_o(result_node),
+    .result_tag_o(result_tag),
+    .result_nearest_o(),
+    .result_exponent_o()
   );
   assign {result_level, result_set, result_kind} = result_tag;
   assign result_kept = result_pass || result_kind != pipegs_pkg::KindData;
@@ -126,9 +140,15 @@ module dopu_descend #(
       assign popped[l] = kept_valid[l] && kept_ready[l];
 
       pipegs_fifo #(.DataW(BeatW), .Depth(Results)) u_queue (
-        .clk_i, .rst_ni,
-        .in_valid_i(push[l]), .in_ready_o(queue_ready[l]), .in_i({result_set, result_kind, result_node}),
-        .out_valid_o(kept_valid[l]), .out_ready_i(kept_ready[l]), .out_o(kept[l]), .count_o(held)
+        .clk_i,
+        .rst_ni,
+        .in_valid_i(push[l]),
+        .in_ready_o(queue_ready[l]),
+        .in_i({result_set, result_kind, result_node}),
+        .out_valid_o(kept_valid[l]),
+        .out_ready_i(kept_ready[l]),
+        .out_o(kept[l]),
+        .count_o(held)
       );
       logic unused_held;
       assign unused_held = &{1'b0, held, queue_ready[l]};
@@ -169,17 +189,31 @@ module dopu_descend #(
 
       pipegs_line_reader #(.TagW(KindW + 1), .ItemW(NodeBits), .ItemsPerLine(2), .Lines(Lines),
         .Jobs(pipegs_pkg::DescendJobs)) u_reader (
-        .clk_i, .rst_ni, .table_i(l == 0 ? groups_i : chunks_i),
-        .job_valid_i(kept_valid[l] && !parent_done), .job_ready_o(job_ready), .job_read_i(parent_data),
-        .job_first_i(first[l]), .job_count_i(count[l]), .job_tag_i(kept[l][BeatW-1:NodeBits]),
-        .mem_valid_o(mem_valid_o[l]), .mem_ready_i(mem_ready_i[l]),
+        .clk_i,
+        .rst_ni,
+        .table_i(l == 0 ? groups_i : chunks_i),
+        .job_valid_i(kept_valid[l] && !parent_done),
+        .job_ready_o(job_ready),
+        .job_read_i(parent_data),
+        .job_first_i(first[l]),
+        .job_count_i(count[l]),
+        .job_tag_i(kept[l][BeatW-1:NodeBits]),
+        .mem_valid_o(mem_valid_o[l]),
+        .mem_ready_i(mem_ready_i[l]),
         .mem_address_o(mem_address_o[l*pipegs_pkg::AddressW +: pipegs_pkg::AddressW]),
         .mem_lines_o(mem_lines_o[l*pipegs_pkg::BurstW +: pipegs_pkg::BurstW]),
-        .rsp_valid_i(rsp_valid_i[l]), .rsp_data_i,
-        .out_valid_o(node_valid[l+1]), .out_ready_i(node_ready[l+1]), .out_read_o(out_read), .out_index_o(out_index),
-        .out_tag_o(out_tag), .out_item_o(out_node),
-        .bad_o(bad_o[l]), .bad_line_o(bad_line_o[l*pipegs_pkg::AddressW +: pipegs_pkg::AddressW]),
-        .waiting_o(waiting[l]), .idle_o(idle[l])
+        .rsp_valid_i(rsp_valid_i[l]),
+        .rsp_data_i,
+        .out_valid_o(node_valid[l+1]),
+        .out_ready_i(node_ready[l+1]),
+        .out_read_o(out_read),
+        .out_index_o(out_index),
+        .out_tag_o(out_tag),
+        .out_item_o(out_node),
+        .bad_o(bad_o[l]),
+        .bad_line_o(bad_line_o[l*pipegs_pkg::AddressW +: pipegs_pkg::AddressW]),
+        .waiting_o(waiting[l]),
+        .idle_o(idle[l])
       );
       assign beat[l+1] = {out_tag, out_node};
 
@@ -208,7 +242,11 @@ module dopu_descend #(
 
 `ifndef SYNTHESIS
   pipegs_stream_check #(.DataW($bits({chunk_kind_o, chunk_set_o, chunk_o}))) u_check_chunk (
-    .clk_i, .rst_ni, .valid_i(chunk_valid_o), .ready_i(chunk_ready_i), .beat_i({chunk_kind_o, chunk_set_o, chunk_o})
+    .clk_i,
+    .rst_ni,
+    .valid_i(chunk_valid_o),
+    .ready_i(chunk_ready_i),
+    .beat_i({chunk_kind_o, chunk_set_o, chunk_o})
   );
 `endif
 

@@ -33,7 +33,11 @@ module dopu_emit (
   logic               is_data, drop, take;
   pipegs_pkg::chunk_t chunk_q;
 
-  pipegs_round_robin #(.Ports(Units)) u_turn (.mask_i(chunk_room_i), .last_i(last_q), .choice_o(choice));
+  pipegs_round_robin #(.Ports(Units)) u_turn (
+    .mask_i(chunk_room_i),
+    .last_i(last_q),
+    .choice_o(choice)
+  );
   always_comb begin
     chosen = '0;
     chosen[choice] = 1'b1;
@@ -67,7 +71,11 @@ module dopu_emit (
 
 `ifndef SYNTHESIS
   pipegs_stream_check #(.Ports(pipegs_pkg::Units), .Shared(1), .DataW($bits(chunk_o))) u_check_chunk (
-    .clk_i, .rst_ni, .valid_i(chunk_valid_o), .ready_i(chunk_ready_i), .beat_i(chunk_o)
+    .clk_i,
+    .rst_ni,
+    .valid_i(chunk_valid_o),
+    .ready_i(chunk_ready_i),
+    .beat_i(chunk_o)
   );
 `endif
 

@@ -37,7 +37,12 @@ module dopu_memory #(
   logic       group, asked_valid, asked_ready, answer;
 
   pipegs_arbiter #(.Ports(3)) u_arbiter (
-    .clk_i, .rst_ni, .request_i, .advance_i(mem_ready_i && asked_ready), .grant_o(grant), .port_o(granted)
+    .clk_i,
+    .rst_ni,
+    .request_i,
+    .advance_i(mem_ready_i && asked_ready),
+    .grant_o(grant),
+    .port_o(granted)
   );
   assign mem_valid_o   = grant != '0 && asked_ready;
   assign mem_address_o = granted == 2'd2 ? address_i[2*AddressW +: AddressW]
@@ -49,8 +54,15 @@ module dopu_memory #(
   assign answer        = rsp_valid_i && !loading_i;
 
   pipegs_fifo #(.DataW(1 + BurstW), .Depth(Asked)) u_asked (
-    .clk_i, .rst_ni, .in_valid_i(ready_o[1:0] != '0), .in_ready_o(asked_ready), .in_i({granted[0], mem_lines_o}),
-    .out_valid_o(asked_valid), .out_ready_i(answer && come_q == lines), .out_o({group, lines}), .count_o()
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(ready_o[1:0] != '0),
+    .in_ready_o(asked_ready),
+    .in_i({granted[0], mem_lines_o}),
+    .out_valid_o(asked_valid),
+    .out_ready_i(answer && come_q == lines),
+    .out_o({group, lines}),
+    .count_o()
   );
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) come_q <= '0;
@@ -61,7 +73,11 @@ module dopu_memory #(
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni) assert (!answer || asked_valid);
   pipegs_stream_check #(.DataW($bits({mem_address_o, mem_lines_o}))) u_check_mem (
-    .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i({mem_address_o, mem_lines_o})
+    .clk_i,
+    .rst_ni,
+    .valid_i(mem_valid_o),
+    .ready_i(mem_ready_i),
+    .beat_i({mem_address_o, mem_lines_o})
   );
 `else
   logic unused_asked;

@@ -133,7 +133,10 @@ module dopu_origin (
   logic signed [ViewW-1:0]   rounded;
   pipegs_pkg::chunk_t        chunk_q;
 
-  pipegs_bit_length #(.DataW(WholeW)) u_length (.in_i(magnitudes_q[OriginW-1:RotF]), .length_o(length));
+  pipegs_bit_length #(.DataW(WholeW)) u_length (
+    .in_i(magnitudes_q[OriginW-1:RotF]),
+    .length_o(length)
+  );
   assign reach         = LengthW'(offset_exp_q) + LengthW'(pipegs_pkg::PosW);
   assign longest       = LengthW'(length) > reach ? LengthW'(length) : reach;
   assign handover      = done && (!shifting_q || (shift_step_q == 2'd3 && chunk_ready_i));
@@ -201,7 +204,11 @@ module dopu_origin (
 
 `ifndef SYNTHESIS
   pipegs_stream_check #(.DataW($bits(chunk_o))) u_check_chunk (
-    .clk_i, .rst_ni, .valid_i(chunk_valid_o), .ready_i(chunk_ready_i), .beat_i(chunk_o)
+    .clk_i,
+    .rst_ni,
+    .valid_i(chunk_valid_o),
+    .ready_i(chunk_ready_i),
+    .beat_i(chunk_o)
   );
 `endif
 

@@ -148,7 +148,10 @@ module dopu_planes (
   logic [NormalW-1:0]        shifted;
   logic [4*PlaneBits-1:0]    planes_q;
 
-  pipegs_bit_length #(.DataW(NormalW)) u_length (.in_i(magnitudes_q), .length_o(length));
+  pipegs_bit_length #(.DataW(NormalW)) u_length (
+    .in_i(magnitudes_q),
+    .length_o(length)
+  );
   always_comb begin
     case (step_q)
       4'd9: chosen = normal_q[0];
@@ -181,7 +184,11 @@ module dopu_planes (
 
 `ifndef SYNTHESIS
   pipegs_stream_check #(.DataW($bits(planes_o)), .Proven(1)) u_check_planes (
-    .clk_i, .rst_ni, .valid_i(planes_valid_o), .ready_i(planes_ready_i), .beat_i(planes_o)
+    .clk_i,
+    .rst_ni,
+    .valid_i(planes_valid_o),
+    .ready_i(planes_ready_i),
+    .beat_i(planes_o)
   );
 `endif
 

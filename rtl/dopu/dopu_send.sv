@@ -147,7 +147,10 @@ module dopu_send #(
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni) assert (!load_popped || !valid_q);
   pipegs_stream_check #(.DataW($bits({chunk_kind_o, chunk_set_o, chunk_o, mark_o}))) u_check_chunk (
-    .clk_i, .rst_ni, .valid_i(chunk_valid_o), .ready_i(chunk_ready_i),
+    .clk_i,
+    .rst_ni,
+    .valid_i(chunk_valid_o),
+    .ready_i(chunk_ready_i),
     .beat_i({chunk_kind_o, chunk_set_o, chunk_o, mark_o})
   );
 `endif

@@ -130,7 +130,10 @@ module dopu_test #(
 
   assign node1   = slot1_q[0 +: pipegs_pkg::NodeBits];
   assign scale_e = scale1[ScaleMW +: ScaleEW];
-  pipegs_bit_length #(.DataW(CornerW)) u_length (.in_i(magnitudes_q), .length_o(corner_length));
+  pipegs_bit_length #(.DataW(CornerW)) u_length (
+    .in_i(magnitudes_q),
+    .length_o(corner_length)
+  );
   always_comb begin
     length = (ExpW+1)'(corner_length);
     if ((ExpW+1)'(scale_e) > length + (ExpW+1)'(ScaleBias)) length = (ExpW+1)'(scale_e) - (ExpW+1)'(ScaleBias);

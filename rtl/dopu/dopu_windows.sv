@@ -55,15 +55,33 @@ module dopu_windows (
   assign last         = Whole || (row_ends && y == raster_i.windows.last_y);
 
   pipegs_window_walk u_walk (
-    .clk_i, .rst_ni, .first_x_i(raster_i.windows.first_x), .first_y_i(raster_i.windows.first_y),
-    .last_x_i(raster_i.windows.last_x), .start_i, .advance_i(planes_valid && planes_ready),
-    .x_o(x), .y_o(y), .next_x_o(), .next_y_o(), .row_ends_o(row_ends)
+    .clk_i,
+    .rst_ni,
+    .first_x_i(raster_i.windows.first_x),
+    .first_y_i(raster_i.windows.first_y),
+    .last_x_i(raster_i.windows.last_x),
+    .start_i,
+    .advance_i(planes_valid && planes_ready),
+    .x_o(x),
+    .y_o(y),
+    .next_x_o(),
+    .next_y_o(),
+    .row_ends_o(row_ends)
   );
 
   dopu_planes u_planes (
-    .clk_i, .rst_ni, .rotation_i, .lens_i, .raster_i,
-    .window_valid_i(window_valid), .window_ready_o(window_ready), .window_x_i(x), .window_y_i(y),
-    .planes_valid_o(planes_valid), .planes_ready_i(planes_ready), .planes_o(planes)
+    .clk_i,
+    .rst_ni,
+    .rotation_i,
+    .lens_i,
+    .raster_i,
+    .window_valid_i(window_valid),
+    .window_ready_o(window_ready),
+    .window_x_i(x),
+    .window_y_i(y),
+    .planes_valid_o(planes_valid),
+    .planes_ready_i(planes_ready),
+    .planes_o(planes)
   );
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -134,7 +152,11 @@ module dopu_windows (
 
 `ifndef SYNTHESIS
   pipegs_stream_check #(.DataW($bits({x, y}))) u_check_window (
-    .clk_i, .rst_ni, .valid_i(window_valid), .ready_i(window_ready), .beat_i({x, y})
+    .clk_i,
+    .rst_ni,
+    .valid_i(window_valid),
+    .ready_i(window_ready),
+    .beat_i({x, y})
   );
 `endif
 

@@ -55,13 +55,24 @@ module pipegs_dopu (
   logic [3*GridW-1:0] cell_number;
 
   dopu_axis u_axis (
-    .forward_x_i(frame_i.camera.rotation.w20), .forward_y_i(frame_i.camera.rotation.w21),
-    .forward_z_i(frame_i.camera.rotation.w22), .axis_o(axis)
+    .forward_x_i(frame_i.camera.rotation.w20),
+    .forward_y_i(frame_i.camera.rotation.w21),
+    .forward_z_i(frame_i.camera.rotation.w22),
+    .axis_o(axis)
   );
 
   dopu_layer u_layer (
-    .clk_i, .rst_ni, .start_i, .axis_i(axis), .position_i(frame_i.camera.position), .grid_i(frame_i.grid),
-    .ready_o(layer_ready), .step_i(step), .inside_o(in_grid), .number_i(number), .cell_o(cell_number)
+    .clk_i,
+    .rst_ni,
+    .start_i,
+    .axis_i(axis),
+    .position_i(frame_i.camera.position),
+    .grid_i(frame_i.grid),
+    .ready_o(layer_ready),
+    .step_i(step),
+    .inside_o(in_grid),
+    .number_i(number),
+    .cell_o(cell_number)
   );
 
   // --- windows and their planes: two sets, one ahead ----------------------------------------------------------------
@@ -71,10 +82,24 @@ module pipegs_dopu (
   logic                 window_walked, window_sent, done_news;
 
   dopu_windows u_windows (
-    .clk_i, .rst_ni, .start_i, .rotation_i(frame_i.camera.rotation), .lens_i(frame_i.lens), .raster_i(frame_i.raster),
-    .done_i, .done_x_i, .done_y_i, .set_valid_o(set_valid), .set_last_o(set_last), .set_done_o(set_done),
-    .done_news_o(done_news), .set_x_o(set_x), .set_y_o(set_y), .planes_o(planes),
-    .walked_i(window_walked), .release_i(window_sent)
+    .clk_i,
+    .rst_ni,
+    .start_i,
+    .rotation_i(frame_i.camera.rotation),
+    .lens_i(frame_i.lens),
+    .raster_i(frame_i.raster),
+    .done_i,
+    .done_x_i,
+    .done_y_i,
+    .set_valid_o(set_valid),
+    .set_last_o(set_last),
+    .set_done_o(set_done),
+    .done_news_o(done_news),
+    .set_x_o(set_x),
+    .set_y_o(set_y),
+    .planes_o(planes),
+    .walked_i(window_walked),
+    .release_i(window_sent)
   );
 
   // --- cells --------------------------------------------------------------------------------------------------------
@@ -88,13 +113,32 @@ module pipegs_dopu (
   pipegs_pkg::node_t     cell_node;
 
   dopu_cells u_cells (
-    .clk_i, .rst_ni, .start_i, .cells_i({areas_i.cells, frame_i.tables.cells}), .bad_o(cells_bad),
-    .loading_o(loading), .mem_valid_o(request[2]),
-    .mem_ready_i(ready[2]), .mem_address_o(address[2*AddressW +: AddressW]),
-    .mem_lines_o(lines[2*BurstW +: BurstW]), .rsp_valid_i(answer[2]), .rsp_data_i,
-    .layer_ready_i(layer_ready), .step_o(step), .inside_i(in_grid), .number_o(number), .cell_i(cell_number),
-    .set_valid_i(set_valid), .set_last_i(set_last), .set_done_i(set_done), .walked_o(window_walked),
-    .cell_valid_o(cell_valid), .cell_ready_i(cell_ready), .kind_o(cell_kind), .set_o(cell_set), .cell_o(cell_node),
+    .clk_i,
+    .rst_ni,
+    .start_i,
+    .cells_i({areas_i.cells, frame_i.tables.cells}),
+    .bad_o(cells_bad),
+    .loading_o(loading),
+    .mem_valid_o(request[2]),
+    .mem_ready_i(ready[2]),
+    .mem_address_o(address[2*AddressW +: AddressW]),
+    .mem_lines_o(lines[2*BurstW +: BurstW]),
+    .rsp_valid_i(answer[2]),
+    .rsp_data_i,
+    .layer_ready_i(layer_ready),
+    .step_o(step),
+    .inside_i(in_grid),
+    .number_o(number),
+    .cell_i(cell_number),
+    .set_valid_i(set_valid),
+    .set_last_i(set_last),
+    .set_done_i(set_done),
+    .walked_o(window_walked),
+    .cell_valid_o(cell_valid),
+    .cell_ready_i(cell_ready),
+    .kind_o(cell_kind),
+    .set_o(cell_set),
+    .cell_o(cell_node),
     .walking_o(walking)
   );
 
@@ -105,25 +149,59 @@ module pipegs_dopu (
   pipegs_pkg::node_t             node;
 
   dopu_chunks u_chunks (
-    .clk_i, .rst_ni, .awake_i(awake), .position_i(frame_i.camera.position), .near_plane_i(frame_i.lens.near_plane),
-    .groups_i({areas_i.groups, frame_i.tables.groups}), .chunks_i({areas_i.chunks, frame_i.tables.chunks}),
-    .planes_i(planes), .set_done_i(set_done),
-    .cell_valid_i(cell_valid), .cell_ready_o(cell_ready), .cell_kind_i(cell_kind), .cell_set_i(cell_set),
-    .cell_i(cell_node), .mem_valid_o(request[1:0]), .mem_ready_i(ready[1:0]),
-    .mem_address_o(address[0 +: 2*AddressW]), .mem_lines_o(lines[0 +: 2*BurstW]), .rsp_valid_i(answer[1:0]),
+    .clk_i,
+    .rst_ni,
+    .awake_i(awake),
+    .position_i(frame_i.camera.position),
+    .near_plane_i(frame_i.lens.near_plane),
+    .groups_i({areas_i.groups, frame_i.tables.groups}),
+    .chunks_i({areas_i.chunks, frame_i.tables.chunks}),
+    .planes_i(planes),
+    .set_done_i(set_done),
+    .cell_valid_i(cell_valid),
+    .cell_ready_o(cell_ready),
+    .cell_kind_i(cell_kind),
+    .cell_set_i(cell_set),
+    .cell_i(cell_node),
+    .mem_valid_o(request[1:0]),
+    .mem_ready_i(ready[1:0]),
+    .mem_address_o(address[0 +: 2*AddressW]),
+    .mem_lines_o(lines[0 +: 2*BurstW]),
+    .rsp_valid_i(answer[1:0]),
     .rsp_data_i,
-    .chunk_valid_o(node_valid), .chunk_ready_i(node_ready), .chunk_kind_o(node_kind), .chunk_set_o(node_set),
-    .chunk_o(node), .mark_o(node_mark), .bad_o(nodes_bad), .bad_line_o(nodes_line), .testing_o(testing),
+    .chunk_valid_o(node_valid),
+    .chunk_ready_i(node_ready),
+    .chunk_kind_o(node_kind),
+    .chunk_set_o(node_set),
+    .chunk_o(node),
+    .mark_o(node_mark),
+    .bad_o(nodes_bad),
+    .bad_line_o(nodes_line),
+    .testing_o(testing),
     .waiting_o(waiting)
   );
 
   pipegs_first_line #(.Ports(3)) u_bad (
-    .valid_i({cells_bad, nodes_bad}), .line_i({frame_i.tables.cells, nodes_line}), .valid_o(bad_o), .line_o(bad_line_o)
+    .valid_i({cells_bad, nodes_bad}),
+    .line_i({frame_i.tables.cells, nodes_line}),
+    .valid_o(bad_o),
+    .line_o(bad_line_o)
   );
 
   dopu_memory u_memory (
-    .clk_i, .rst_ni, .loading_i(loading), .request_i(request), .ready_o(ready), .address_i(address), .lines_i(lines),
-    .answer_o(answer), .mem_valid_o, .mem_ready_i, .mem_address_o, .mem_lines_o, .rsp_valid_i
+    .clk_i,
+    .rst_ni,
+    .loading_i(loading),
+    .request_i(request),
+    .ready_o(ready),
+    .address_i(address),
+    .lines_i(lines),
+    .answer_o(answer),
+    .mem_valid_o,
+    .mem_ready_i,
+    .mem_address_o,
+    .mem_lines_o,
+    .rsp_valid_i
   );
 
   // --- chunks -> PUs ------------------------------------------------------------------------------------------------
@@ -131,11 +209,20 @@ module pipegs_dopu (
   pipegs_pkg::chunk_t chunk;
 
   dopu_origin u_origin (
-    .clk_i, .rst_ni, .position_i(frame_i.camera.position), .rotation_i(frame_i.camera.rotation),
-    .node_valid_i(node_valid), .node_ready_o(node_ready), .kind_i(node_kind),
+    .clk_i,
+    .rst_ni,
+    .position_i(frame_i.camera.position),
+    .rotation_i(frame_i.camera.rotation),
+    .node_valid_i(node_valid),
+    .node_ready_o(node_ready),
+    .kind_i(node_kind),
     .window_x_i(node_set ? set_x[WindowW +: WindowW] : set_x[0 +: WindowW]),
-    .window_y_i(node_set ? set_y[WindowW +: WindowW] : set_y[0 +: WindowW]), .node_i(node), .mark_i(node_mark),
-    .chunk_valid_o(chunk_valid), .chunk_ready_i(chunk_ready), .chunk_o(chunk)
+    .window_y_i(node_set ? set_y[WindowW +: WindowW] : set_y[0 +: WindowW]),
+    .node_i(node),
+    .mark_i(node_mark),
+    .chunk_valid_o(chunk_valid),
+    .chunk_ready_i(chunk_ready),
+    .chunk_o(chunk)
   );
   // Nothing of the window needs its planes any more once its end has left the test.
   assign window_sent = node_valid && node_ready && node_kind == pipegs_pkg::KindWindowEnd;
@@ -144,18 +231,34 @@ module pipegs_dopu (
                            chunk.window_y == frame_i.raster.windows.last_y));
 
   dopu_emit u_emit (
-    .clk_i, .rst_ni, .in_valid_i(chunk_valid), .in_ready_o(chunk_ready), .in_i(chunk),
-    .chunk_valid_o, .chunk_ready_i, .chunk_room_i, .chunk_o
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(chunk_valid),
+    .in_ready_o(chunk_ready),
+    .in_i(chunk),
+    .chunk_valid_o,
+    .chunk_ready_i,
+    .chunk_room_i,
+    .chunk_o
   );
 
   // --- busy, clock, counters ----------------------------------------------------------------------------------------
   dopu_activity u_activity (
-    .clk_i, .rst_ni, .start_i,
+    .clk_i,
+    .rst_ni,
+    .start_i,
     .moved_i(testing || walking || (node_valid && node_ready) || (chunk_valid && chunk_ready)),
-    .memory_i(rsp_valid_i || (mem_valid_o && mem_ready_i)), .news_i(done_news), .waits_i(waiting || loading),
-    .chunk_valid_i(chunk_valid), .last_end_i(last_end), .out_valid_i(chunk_valid_o), .out_ready_i(chunk_ready_i),
+    .memory_i(rsp_valid_i || (mem_valid_o && mem_ready_i)),
+    .news_i(done_news),
+    .waits_i(waiting || loading),
+    .chunk_valid_i(chunk_valid),
+    .last_end_i(last_end),
+    .out_valid_i(chunk_valid_o),
+    .out_ready_i(chunk_ready_i),
     .out_room_i(chunk_room_i),
-    .busy_o, .active_o, .perf_o
+    .busy_o,
+    .active_o,
+    .perf_o
   );
   // Nothing else counts on a clock that stops. One that never does takes as many cycles this way.
   assign awake = pipegs_pkg::ClockGates != 0 || active_o;

@@ -25,7 +25,11 @@ module pipegs_arbiter #(
   logic [PortW-1:0] shown_q;
   logic [PortW-1:0] turn, port;
 
-  pipegs_round_robin #(.Ports(Ports)) u_turn (.mask_i(request_i), .last_i(last_q), .choice_o(turn));
+  pipegs_round_robin #(.Ports(Ports)) u_turn (
+    .mask_i(request_i),
+    .last_i(last_q),
+    .choice_o(turn)
+  );
   assign port = locked_q && request_i[shown_q] ? shown_q : turn;
   always_comb begin
     grant_o = '0;

@@ -57,7 +57,11 @@ module pipegs_fifo #(
 
 `ifndef SYNTHESIS
   pipegs_stream_check #(.DataW($bits(out_o)), .Proven(1)) u_check_out (
-    .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i), .beat_i(out_o)
+    .clk_i,
+    .rst_ni,
+    .valid_i(out_valid_o),
+    .ready_i(out_ready_i),
+    .beat_i(out_o)
   );
 `endif
 

@@ -138,7 +138,12 @@ module pipegs_line_reader #(
   assign load = stored_q != '0 && (!line_valid_q || line_pop);
 
   pipegs_sram #(.DataW(pipegs_pkg::MemoryW), .Depth(Lines)) u_lines (
-    .clk_i, .write_i(rsp_valid_i), .waddr_i(tail_q), .wdata_i(rsp_data_i), .read_i(load), .raddr_i(head_q),
+    .clk_i,
+    .write_i(rsp_valid_i),
+    .waddr_i(tail_q),
+    .wdata_i(rsp_data_i),
+    .read_i(load),
+    .raddr_i(head_q),
     .rdata_o(line)
   );
 
@@ -166,9 +171,14 @@ module pipegs_line_reader #(
   logic [$clog2(Jobs+1)-1:0] jobs_count;
 
   pipegs_fifo #(.DataW(JobW), .Depth(Jobs)) u_jobs (
-    .clk_i, .rst_ni,
-    .in_valid_i(take), .in_ready_o(jobs_ready), .in_i({job_read_i, job_first_i, job_count_i, job_tag_i}),
-    .out_valid_o(job_valid), .out_ready_i(job_pop), .out_o({job_read, job_first, job_count, job_tag}),
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(take),
+    .in_ready_o(jobs_ready),
+    .in_i({job_read_i, job_first_i, job_count_i, job_tag_i}),
+    .out_valid_o(job_valid),
+    .out_ready_i(job_pop),
+    .out_o({job_read, job_first, job_count, job_tag}),
     .count_o(jobs_count)
   );
 
@@ -205,12 +215,20 @@ module pipegs_line_reader #(
   assert property (@(posedge clk_i) disable iff (!rst_ni)
                    mem_valid_o && !mem_ready_i |=> mem_valid_o && $stable({mem_address_o, mem_lines_o}));
   pipegs_stream_check #(.DataW($bits({mem_address_o, mem_lines_o})), .Proven(1)) u_check_mem (
-    .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i({mem_address_o, mem_lines_o})
+    .clk_i,
+    .rst_ni,
+    .valid_i(mem_valid_o),
+    .ready_i(mem_ready_i),
+    .beat_i({mem_address_o, mem_lines_o})
   );
   pipegs_stream_check #(
-    .DataW($bits({out_read_o, out_index_o, out_tag_o, out_item_o})), .Proven(1)
+    .DataW($bits({out_read_o, out_index_o, out_tag_o, out_item_o})),
+    .Proven(1)
   ) u_check_out (
-    .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i),
+    .clk_i,
+    .rst_ni,
+    .valid_i(out_valid_o),
+    .ready_i(out_ready_i),
     .beat_i({out_read_o, out_index_o, out_tag_o, out_read_o ? out_item_o : '0})  // a marker has no item
   );
 `endif

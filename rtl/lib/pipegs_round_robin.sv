@@ -19,8 +19,16 @@ module pipegs_round_robin #(
   always_comb begin
     for (int unsigned i = 0; i < Ports; i += 1) behind[i] = mask_i[i] && PortW'(i) > last_i;
   end
-  pipegs_first_set #(.DataW(Ports)) u_first (.mask_i, .one_hot_o(), .number_o(first));
-  pipegs_first_set #(.DataW(Ports)) u_behind (.mask_i(behind), .one_hot_o(), .number_o(first_behind));
+  pipegs_first_set #(.DataW(Ports)) u_first (
+    .mask_i,
+    .one_hot_o(),
+    .number_o(first)
+  );
+  pipegs_first_set #(.DataW(Ports)) u_behind (
+    .mask_i(behind),
+    .one_hot_o(),
+    .number_o(first_behind)
+  );
   assign choice_o = behind != '0 ? first_behind : first;
 
 endmodule

@@ -100,15 +100,39 @@ module pipegs_list_read #(
   logic [SplatBits-1:0] item;
 
   pipegs_line_reader #(
-    .TagW(1), .ItemW(SplatBits), .ItemsPerLine(1), .Lines(Lines), .Jobs(pipegs_pkg::ListJobs), .IndexW(AddressW),
+    .TagW(1),
+    .ItemW(SplatBits),
+    .ItemsPerLine(1),
+    .Lines(Lines),
+    .Jobs(pipegs_pkg::ListJobs),
+    .IndexW(AddressW),
     .CountW(EntryW)
   ) u_reader (
-    .clk_i, .rst_ni, .table_i(lists),
-    .job_valid_i(job_valid), .job_ready_o(job_ready), .job_read_i(state_q == StateLines),
-    .job_first_i(pipegs_pkg::list_first(number_q, log_i)), .job_count_i(count_i), .job_tag_i(1'b0),
-    .mem_valid_o, .mem_ready_i, .mem_address_o, .mem_lines_o, .rsp_valid_i, .rsp_data_i,
-    .out_valid_o(item_valid), .out_ready_i(item_ready), .out_read_o(item_read), .out_index_o(item_index),
-    .out_tag_o(item_tag), .out_item_o(item), .bad_o(bad), .bad_line_o(bad_line), .waiting_o(waiting), .idle_o(idle)
+    .clk_i,
+    .rst_ni,
+    .table_i(lists),
+    .job_valid_i(job_valid),
+    .job_ready_o(job_ready),
+    .job_read_i(state_q == StateLines),
+    .job_first_i(pipegs_pkg::list_first(number_q, log_i)),
+    .job_count_i(count_i),
+    .job_tag_i(1'b0),
+    .mem_valid_o,
+    .mem_ready_i,
+    .mem_address_o,
+    .mem_lines_o,
+    .rsp_valid_i,
+    .rsp_data_i,
+    .out_valid_o(item_valid),
+    .out_ready_i(item_ready),
+    .out_read_o(item_read),
+    .out_index_o(item_index),
+    .out_tag_o(item_tag),
+    .out_item_o(item),
+    .bad_o(bad),
+    .bad_line_o(bad_line),
+    .waiting_o(waiting),
+    .idle_o(idle)
   );
 
   // --- dealing ------------------------------------------------------------------------------------------------------
@@ -120,7 +144,12 @@ module pipegs_list_read #(
 
   // An SU that takes the present record in this cycle may have no room for another.
   pipegs_arbiter #(.Ports(Units)) u_target (
-    .clk_i, .rst_ni, .request_i(request), .advance_i(give), .grant_o(target), .port_o(target_port)
+    .clk_i,
+    .rst_ni,
+    .request_i(request),
+    .advance_i(give),
+    .grant_o(target),
+    .port_o(target_port)
   );
   assign able       = splat_room_i & ~waiting_q;
   assign request    = able == '0 && none_q == '1 ? '1 : able;
@@ -150,7 +179,10 @@ module pipegs_list_read #(
   assign busy_o   = state_q != StateIdle || !idle || waiting_q != '0;
   assign active_o = start_i || (busy_o && !asleep);
   pipegs_sleep #(.Patience(7)) u_sleep (
-    .clk_i, .rst_ni, .moved_i(moved), .wake_i(start_i || moved || rsp_valid_i || (mem_valid_o && mem_ready_i)),
+    .clk_i,
+    .rst_ni,
+    .moved_i(moved),
+    .wake_i(start_i || moved || rsp_valid_i || (mem_valid_o && mem_ready_i)),
     .asleep_o(asleep)
   );
 
@@ -159,10 +191,18 @@ module pipegs_list_read #(
 
 `ifndef SYNTHESIS
   pipegs_stream_check #(.Ports(Units), .Shared(1), .DataW($bits(splat_o)), .Proven(1)) u_check_splat (
-    .clk_i, .rst_ni, .valid_i(splat_valid_o), .ready_i(splat_ready_i), .beat_i(splat_o)
+    .clk_i,
+    .rst_ni,
+    .valid_i(splat_valid_o),
+    .ready_i(splat_ready_i),
+    .beat_i(splat_o)
   );
   pipegs_stream_check #(.DataW($bits({state_q, number_q, count_i}))) u_check_job (
-    .clk_i, .rst_ni, .valid_i(job_valid), .ready_i(job_ready), .beat_i({state_q, number_q, count_i})
+    .clk_i,
+    .rst_ni,
+    .valid_i(job_valid),
+    .ready_i(job_ready),
+    .beat_i({state_q, number_q, count_i})
   );
 `endif
 

@@ -67,8 +67,14 @@ module pipegs_list_write #(
   logic roomy, none;  // the room is known; there is none
 
   pipegs_list_room u_room (
-    .clk_i, .rst_ni, .restart_i, .windows_i(windows),
-    .lines_i(pipegs_pkg::area_lines(overflow_i.lines, pipegs_pkg::AreaLists)), .done_o(roomy), .none_o(none), .log_o
+    .clk_i,
+    .rst_ni,
+    .restart_i,
+    .windows_i(windows),
+    .lines_i(pipegs_pkg::area_lines(overflow_i.lines, pipegs_pkg::AreaLists)),
+    .done_o(roomy),
+    .none_o(none),
+    .log_o
   );
 
   // --- one record from all PUs, in turn -----------------------------------------------------------------------------
@@ -89,7 +95,12 @@ module pipegs_list_write #(
   assign data = splat_valid_i & ~is_end;
 
   pipegs_arbiter #(.Ports(Units)) u_source (
-    .clk_i, .rst_ni, .request_i(data), .advance_i(take), .grant_o(source), .port_o(port)
+    .clk_i,
+    .rst_ni,
+    .request_i(data),
+    .advance_i(take),
+    .grant_o(source),
+    .port_o(port)
   );
 
   assign move          = held_valid_q && (!out_valid_q || mem_ready_i) && !full_q;
@@ -147,7 +158,11 @@ module pipegs_list_write #(
 
 `ifndef SYNTHESIS
   pipegs_stream_check #(.DataW($bits({mem_address_o, mem_data_o})), .Proven(1)) u_check_mem (
-    .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i({mem_address_o, mem_data_o})
+    .clk_i,
+    .rst_ni,
+    .valid_i(mem_valid_o),
+    .ready_i(mem_ready_i),
+    .beat_i({mem_address_o, mem_data_o})
   );
 `endif
 

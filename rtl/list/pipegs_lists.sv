@@ -61,26 +61,63 @@ module pipegs_lists #(
   logic [LogW-1:0]     room_log;
 
   pipegs_list_write u_write (
-    .clk_i, .rst_ni, .windows_i, .overflow_i, .restart_i, .splat_valid_i(made_valid_i), .splat_ready_o(made_ready_o),
+    .clk_i,
+    .rst_ni,
+    .windows_i,
+    .overflow_i,
+    .restart_i,
+    .splat_valid_i(made_valid_i),
+    .splat_ready_o(made_ready_o),
     .splat_i(made_i),
-    .number_i, .count_read_o(write_count_read), .count_number_o(write_number), .count_i(count),
-    .count_write_o(count_write), .count_at_o(count_at), .count_o(count_new),
-    .mem_valid_o(write_valid), .mem_ready_i, .mem_address_o(write_address), .mem_data_o, .log_o(room_log),
-    .full_o, .full_line_o, .done_o(done),
+    .number_i,
+    .count_read_o(write_count_read),
+    .count_number_o(write_number),
+    .count_i(count),
+    .count_write_o(count_write),
+    .count_at_o(count_at),
+    .count_o(count_new),
+    .mem_valid_o(write_valid),
+    .mem_ready_i,
+    .mem_address_o(write_address),
+    .mem_data_o,
+    .log_o(room_log),
+    .full_o,
+    .full_line_o,
+    .done_o(done),
     .active_o(write_active)
   );
 
   pipegs_list_read u_read (
-    .clk_i, .rst_ni, .windows_i, .overflow_i, .log_i(room_log), .start_i(written_o), .count_read_o(read_count_read),
+    .clk_i,
+    .rst_ni,
+    .windows_i,
+    .overflow_i,
+    .log_i(room_log),
+    .start_i(written_o),
+    .count_read_o(read_count_read),
     .count_number_o(read_number),
-    .count_i(count), .mem_valid_o(read_valid), .mem_ready_i(mem_ready_i), .mem_address_o(read_address),
-    .mem_lines_o(read_lines), .rsp_valid_i, .rsp_data_i, .splat_valid_o, .splat_ready_i, .splat_room_i, .splat_o,
-    .busy_o(reading), .active_o(read_active)
+    .count_i(count),
+    .mem_valid_o(read_valid),
+    .mem_ready_i(mem_ready_i),
+    .mem_address_o(read_address),
+    .mem_lines_o(read_lines),
+    .rsp_valid_i,
+    .rsp_data_i,
+    .splat_valid_o,
+    .splat_ready_i,
+    .splat_room_i,
+    .splat_o,
+    .busy_o(reading),
+    .active_o(read_active)
   );
 
   pipegs_sram #(.DataW(EntryW), .Depth(2 ** NumberW)) u_counts (
-    .clk_i, .write_i(count_write), .waddr_i(count_at), .wdata_i(count_new),
-    .read_i(write_count_read || read_count_read), .raddr_i(write_count_read ? write_number : read_number),
+    .clk_i,
+    .write_i(count_write),
+    .waddr_i(count_at),
+    .wdata_i(count_new),
+    .read_i(write_count_read || read_count_read),
+    .raddr_i(write_count_read ? write_number : read_number),
     .rdata_o(count)
   );
 
@@ -102,7 +139,11 @@ module pipegs_lists #(
   always_ff @(posedge clk_i) if (rst_ni) assert (!(write_valid && (read_valid || reading)))
     else $error("a list is read before all are written");
   pipegs_stream_check #(.DataW($bits({mem_write_o, mem_address_o, mem_data_o}))) u_check_mem (
-    .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i({mem_write_o, mem_address_o, mem_data_o})
+    .clk_i,
+    .rst_ni,
+    .valid_i(mem_valid_o),
+    .ready_i(mem_ready_i),
+    .beat_i({mem_write_o, mem_address_o, mem_data_o})
   );
 `endif
 

@@ -52,8 +52,15 @@ module pipegs_axi_fence #(
   assign in_ready_o  = passes ? out_ready_i && !due : queue_ready;
 
   pipegs_sram_fifo #(.DataW(StampW + DataW), .Depth(Fenced)) u_waiting (
-    .clk_i, .rst_ni, .in_valid_i(in_valid_i && !passes), .in_ready_o(queue_ready), .in_i({stamp_q, in_i}),
-    .out_valid_o(head_valid), .out_ready_i(out_ready_i && due), .out_o({head_stamp, head}), .count_o(waiting)
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(in_valid_i && !passes),
+    .in_ready_o(queue_ready),
+    .in_i({stamp_q, in_i}),
+    .out_valid_o(head_valid),
+    .out_ready_i(out_ready_i && due),
+    .out_o({head_stamp, head}),
+    .count_o(waiting)
   );
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -71,7 +78,11 @@ module pipegs_axi_fence #(
 `ifndef SYNTHESIS
   // A read that passes is taken back when the core is reset.
   pipegs_stream_check #(.DataW($bits(out_o))) u_check_out (
-    .clk_i, .rst_ni(rst_ni && (in_valid_i || !passing_q)), .valid_i(out_valid_o), .ready_i(out_ready_i), .beat_i(out_o)
+    .clk_i,
+    .rst_ni(rst_ni && (in_valid_i || !passing_q)),
+    .valid_i(out_valid_o),
+    .ready_i(out_ready_i),
+    .beat_i(out_o)
   );
 `endif
 

@@ -58,8 +58,13 @@ module pipegs_axi_gather #(
 
     for (genvar i = 0; i < Beats - 1; i += 1) begin : gen_part
       pipegs_sram #(.DataW(DataW), .Depth(Tags)) u_part (
-        .clk_i, .write_i(beat_valid_i && beat == BeatW'(i)), .waddr_i(port), .wdata_i(beat_i),
-        .read_i(beat_valid_i && last), .raddr_i(port), .rdata_o(parts[i*DataW +: DataW])
+        .clk_i,
+        .write_i(beat_valid_i && beat == BeatW'(i)),
+        .waddr_i(port),
+        .wdata_i(beat_i),
+        .read_i(beat_valid_i && last),
+        .raddr_i(port),
+        .rdata_o(parts[i*DataW +: DataW])
       );
     end
     assign line_o = {last_q, parts};

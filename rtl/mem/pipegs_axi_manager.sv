@@ -68,27 +68,58 @@ module pipegs_axi_manager #(
   assign pending_o   = writes != '0 || reads_pending;
 
   pipegs_axi_fence #(.DataW(ReadW), .Fenced(Fenced), .Writes(Writes)) u_fence (
-    .clk_i, .rst_ni, .in_valid_i(read_valid), .in_ready_o(fence_ready),
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(read_valid),
+    .in_ready_o(fence_ready),
     .in_fenced_i(mem_request_i.tag < TagW'(pipegs_pkg::WritePorts)),
     .in_i({epoch_i, mem_request_i.tag, 4'(mem_request_i.lines) + 4'd1, mem_request_i.address}),
-    .write_i(write_valid && write_ready), .writes_i(writes),
-    .out_valid_o(issue_valid), .out_ready_i(issue_ready), .out_o(issue)
+    .write_i(write_valid && write_ready),
+    .writes_i(writes),
+    .out_valid_o(issue_valid),
+    .out_ready_i(issue_ready),
+    .out_o(issue)
   );
 
   pipegs_axi_read #(.AddrW(AddrW), .Reads(Reads)) u_read (
-    .clk_i, .rst_ni, .base_i, .epoch_i, .room_o(read_room), .accept_i(read_valid && fence_ready),
-    .drained_o, .pending_o(reads_pending), .wait_o(read_wait_o),
-    .in_valid_i(issue_valid), .in_ready_o(issue_ready), .in_i(issue),
-    .line_valid_o(rsp_valid_o), .line_tag_o(rsp_tag_o), .line_o(rsp_data_o),
-    .error_o(read_error), .error_decode_o(read_decode),
-    .m_axi_o(m_axi_o.read), .m_axi_i(m_axi_i.read)
+    .clk_i,
+    .rst_ni,
+    .base_i,
+    .epoch_i,
+    .room_o(read_room),
+    .accept_i(read_valid && fence_ready),
+    .drained_o,
+    .pending_o(reads_pending),
+    .wait_o(read_wait_o),
+    .in_valid_i(issue_valid),
+    .in_ready_o(issue_ready),
+    .in_i(issue),
+    .line_valid_o(rsp_valid_o),
+    .line_tag_o(rsp_tag_o),
+    .line_o(rsp_data_o),
+    .error_o(read_error),
+    .error_decode_o(read_decode),
+    .m_axi_o(m_axi_o.read),
+    .m_axi_i(m_axi_i.read)
   );
 
   pipegs_axi_write #(.AddrW(AddrW), .Writes(Writes)) u_write (
-    .clk_i, .rst_ni, .base_i, .epoch_i, .in_valid_i(write_valid), .in_ready_o(write_ready),
-    .in_line_i(mem_request_i.address), .in_halves_i(mem_request_i.halves), .in_data_i(mem_data_i), .writes_o(writes),
-    .wait_o(write_wait_o), .error_o(write_error), .error_decode_o(write_decode), .error_line_o(write_line),
-    .m_axi_o(m_axi_o.write), .m_axi_i(m_axi_i.write)
+    .clk_i,
+    .rst_ni,
+    .base_i,
+    .epoch_i,
+    .in_valid_i(write_valid),
+    .in_ready_o(write_ready),
+    .in_line_i(mem_request_i.address),
+    .in_halves_i(mem_request_i.halves),
+    .in_data_i(mem_data_i),
+    .writes_o(writes),
+    .wait_o(write_wait_o),
+    .error_o(write_error),
+    .error_decode_o(write_decode),
+    .error_line_o(write_line),
+    .m_axi_o(m_axi_o.write),
+    .m_axi_i(m_axi_i.write)
   );
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -110,10 +141,17 @@ module pipegs_axi_manager #(
   end
   // A core that is reset takes back what it shows; until then it must stay.
   pipegs_stream_check #(.DataW($bits(mem_request_i))) u_check_read (
-    .clk_i, .rst_ni(rst_ni && mem_valid_i), .valid_i(read_valid), .ready_i(fence_ready), .beat_i(mem_request_i)
+    .clk_i,
+    .rst_ni(rst_ni && mem_valid_i),
+    .valid_i(read_valid),
+    .ready_i(fence_ready),
+    .beat_i(mem_request_i)
   );
   pipegs_stream_check #(.DataW($bits({mem_request_i, mem_data_i}))) u_check_write (
-    .clk_i, .rst_ni(rst_ni && mem_valid_i), .valid_i(write_valid), .ready_i(write_ready),
+    .clk_i,
+    .rst_ni(rst_ni && mem_valid_i),
+    .valid_i(write_valid),
+    .ready_i(write_ready),
     .beat_i({mem_request_i, mem_data_i})
   );
 `endif

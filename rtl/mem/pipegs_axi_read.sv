@@ -126,8 +126,16 @@ module pipegs_axi_read #(
   assign wait_o.line    = ar_valid_q ? shown_line : owed_line_q;
 
   pipegs_axi_gather #(.DataW(DataW)) u_gather (
-    .clk_i, .rst_ni, .turn_i(turn), .beat_valid_i(now), .beat_tag_i(m_axi_i.r.id[TagW-1:0]), .beat_i(m_axi_i.r.data),
-    .line_valid_o, .line_tag_o, .line_o, .active_o(gathering)
+    .clk_i,
+    .rst_ni,
+    .turn_i(turn),
+    .beat_valid_i(now),
+    .beat_tag_i(m_axi_i.r.id[TagW-1:0]),
+    .beat_i(m_axi_i.r.data),
+    .line_valid_o,
+    .line_tag_o,
+    .line_o,
+    .active_o(gathering)
   );
 
   assign m_axi_o.ar.id    = id_q;

@@ -63,8 +63,15 @@ module pipegs_axi_write #(
   assign done         = m_axi_i.b_valid && m_axi_o.b_ready;
 
   pipegs_sram_fifo #(.DataW(1 + LineW), .Depth(Writes)) u_writes (
-    .clk_i, .rst_ni, .in_valid_i(take), .in_ready_o(room), .in_i({epoch_i, in_line_i}),
-    .out_valid_o(m_axi_o.b_ready), .out_ready_i(m_axi_i.b_valid), .out_o({done_epoch, error_line_o}), .count_o(writes_o)
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(take),
+    .in_ready_o(room),
+    .in_i({epoch_i, in_line_i}),
+    .out_valid_o(m_axi_o.b_ready),
+    .out_ready_i(m_axi_i.b_valid),
+    .out_o({done_epoch, error_line_o}),
+    .count_o(writes_o)
   );
 
   always_ff @(posedge clk_i or negedge rst_ni) begin

@@ -101,9 +101,16 @@ module pipegs_pu #(
 
   if (pipegs_pkg::HasWatermarks) begin : gen_marks
     pu_marks u_marks (
-      .clk_i, .rst_ni, .chunk_valid_i, .chunk_ready_o, .chunk_i,
-      .chunk_valid_o(chunk_valid), .chunk_ready_i(chunk_ready),
-      .splat_i(splat), .splat_o, .splat_taken_i(splat_valid_o && splat_ready_i)
+      .clk_i,
+      .rst_ni,
+      .chunk_valid_i,
+      .chunk_ready_o,
+      .chunk_i,
+      .chunk_valid_o(chunk_valid),
+      .chunk_ready_i(chunk_ready),
+      .splat_i(splat),
+      .splat_o,
+      .splat_taken_i(splat_valid_o && splat_ready_i)
     );
   end else begin : gen_no_marks
     assign chunk_valid   = chunk_valid_i;
@@ -114,12 +121,30 @@ module pipegs_pu #(
   if (Front) begin : gen_front
     assign chunk_room_o = chunk_ready;
     pu_front u_front (
-      .clk_i, .rst_ni, .rotation_i, .lens_i, .windows_i, .gaussians_i({areas_i.gaussians, tables_i.gaussians}),
-      .chunk_valid_i(chunk_valid), .chunk_ready_o(chunk_ready), .chunk_i,
-      .geometry_valid_o, .geometry_ready_i, .geometry_address_o, .geometry_lines_o, .geometry_rsp_valid_i, .rsp_data_i,
-      .visible_valid_o(culled_valid_o), .visible_ready_i(culled_ready_i), .visible_o(culled_o),
-      .bad_o(geometry_bad), .bad_line_o(geometry_bad_line), .moved_o(front_moved),
-      .waiting_o(fetch_waiting), .culls_o(culls), .idle_o(front_idle)
+      .clk_i,
+      .rst_ni,
+      .rotation_i,
+      .lens_i,
+      .windows_i,
+      .gaussians_i({areas_i.gaussians, tables_i.gaussians}),
+      .chunk_valid_i(chunk_valid),
+      .chunk_ready_o(chunk_ready),
+      .chunk_i,
+      .geometry_valid_o,
+      .geometry_ready_i,
+      .geometry_address_o,
+      .geometry_lines_o,
+      .geometry_rsp_valid_i,
+      .rsp_data_i,
+      .visible_valid_o(culled_valid_o),
+      .visible_ready_i(culled_ready_i),
+      .visible_o(culled_o),
+      .bad_o(geometry_bad),
+      .bad_line_o(geometry_bad_line),
+      .moved_o(front_moved),
+      .waiting_o(fetch_waiting),
+      .culls_o(culls),
+      .idle_o(front_idle)
     );
   end else begin : gen_no_front
     logic unused_front;
@@ -143,35 +168,90 @@ module pipegs_pu #(
   end
 
   pipegs_sram_fifo #(.DataW(pipegs_pkg::VisibleBits), .Depth(VisibleDepth)) u_visible (
-    .clk_i, .rst_ni, .in_valid_i(visible_valid_i), .in_ready_o(visible_ready_o), .in_i(visible_i),
-    .out_valid_o(visible_valid), .out_ready_i(visible_ready), .out_o(visible), .count_o(visible_count)
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(visible_valid_i),
+    .in_ready_o(visible_ready_o),
+    .in_i(visible_i),
+    .out_valid_o(visible_valid),
+    .out_ready_i(visible_ready),
+    .out_o(visible),
+    .count_o(visible_count)
   );
 
   assign visible_room_o = visible_ready_o;
 
   pu_shape u_shape (
-    .clk_i, .rst_ni, .quaternion_i, .lens_i, .tables_i,
-    .visible_valid_i(visible_valid), .visible_ready_o(visible_ready), .visible_i(visible),
-    .payload_valid_o(payload_valid), .payload_o(payload),
-    .conic_valid_o(conic_valid), .conic_ready_i(conic_ready), .conic_o(conic),
-    .moved_o(shape_moved), .busy_o(shape_busy)
+    .clk_i,
+    .rst_ni,
+    .quaternion_i,
+    .lens_i,
+    .tables_i,
+    .visible_valid_i(visible_valid),
+    .visible_ready_o(visible_ready),
+    .visible_i(visible),
+    .payload_valid_o(payload_valid),
+    .payload_o(payload),
+    .conic_valid_o(conic_valid),
+    .conic_ready_i(conic_ready),
+    .conic_o(conic),
+    .moved_o(shape_moved),
+    .busy_o(shape_busy)
   );
 
   pu_back u_back (
-    .clk_i, .rst_ni, .rotation_i, .tables_i, .areas_i, .windows_i, .unit_i, .restart_i,
-    .payload_valid_i(payload_valid), .payload_i(payload),
-    .conic_valid_i(conic_valid), .conic_ready_o(conic_ready), .conic_i(conic),
-    .done_i, .done_x_i, .done_y_i, .line_free_i, .layer_free_i,
-    .color_valid_o, .color_ready_i, .color_address_o, .color_rsp_valid_i, .rsp_data_i,
-    .spill_valid_o, .spill_ready_i, .spill_address_o, .spill_data_o, .store_write_o, .store_address_o, .store_line_o,
-    .splat_valid_o, .splat_ready_i, .splat_o(splat), .number_o, .overflowed_o,
-    .full_o, .full_line_o, .bad_o(color_bad), .bad_line_o(color_bad_line), .moved_o(back_moved),
-    .regions_busy_o(regions_busy), .rows_busy_o(rows_busy), .color_busy_o(color_busy),
-    .color_waiting_o(color_waiting), .waiting_o(back_waiting), .busy_o(back_busy)
+    .clk_i,
+    .rst_ni,
+    .rotation_i,
+    .tables_i,
+    .areas_i,
+    .windows_i,
+    .unit_i,
+    .restart_i,
+    .payload_valid_i(payload_valid),
+    .payload_i(payload),
+    .conic_valid_i(conic_valid),
+    .conic_ready_o(conic_ready),
+    .conic_i(conic),
+    .done_i,
+    .done_x_i,
+    .done_y_i,
+    .line_free_i,
+    .layer_free_i,
+    .color_valid_o,
+    .color_ready_i,
+    .color_address_o,
+    .color_rsp_valid_i,
+    .rsp_data_i,
+    .spill_valid_o,
+    .spill_ready_i,
+    .spill_address_o,
+    .spill_data_o,
+    .store_write_o,
+    .store_address_o,
+    .store_line_o,
+    .splat_valid_o,
+    .splat_ready_i,
+    .splat_o(splat),
+    .number_o,
+    .overflowed_o,
+    .full_o,
+    .full_line_o,
+    .bad_o(color_bad),
+    .bad_line_o(color_bad_line),
+    .moved_o(back_moved),
+    .regions_busy_o(regions_busy),
+    .rows_busy_o(rows_busy),
+    .color_busy_o(color_busy),
+    .color_waiting_o(color_waiting),
+    .waiting_o(back_waiting),
+    .busy_o(back_busy)
   );
 
   pipegs_first_line #(.Ports(2)) u_bad (
-    .valid_i({color_bad, geometry_bad}), .line_i({color_bad_line, geometry_bad_line}), .valid_o(bad_o),
+    .valid_i({color_bad, geometry_bad}),
+    .line_i({color_bad_line, geometry_bad_line}),
+    .valid_o(bad_o),
     .line_o(bad_line_o)
   );
 
@@ -187,12 +267,21 @@ module pipegs_pu #(
   assign busy_o   = work;
   assign active_o = wake || (work && !asleep);
 
-  pipegs_sleep #(.Patience(127)) u_sleep (.clk_i, .rst_ni, .moved_i(moved), .wake_i(wake), .asleep_o(asleep));
+  pipegs_sleep #(.Patience(127)) u_sleep (
+    .clk_i,
+    .rst_ni,
+    .moved_i(moved),
+    .wake_i(wake),
+    .asleep_o(asleep)
+  );
 
   pu_state u_state (
-    .rows_i(rows_busy), .front_i(busy), .color_i(color_busy),
+    .rows_i(rows_busy),
+    .front_i(busy),
+    .color_i(color_busy),
     .memory_i(fetch_waiting || color_waiting || (spill_valid_o && !spill_ready_i)),
-    .blocked_i(back_waiting || (splat_valid_o && !splat_ready_i)), .state_o(perf_o)
+    .blocked_i(back_waiting || (splat_valid_o && !splat_ready_i)),
+    .state_o(perf_o)
   );
 
 endmodule

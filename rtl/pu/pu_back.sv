@@ -84,35 +84,87 @@ module pu_back #(
   assign moved_o = regions_moved || back_moved;
 
   pu_regions #(.PayloadW(PayloadW)) u_regions (
-    .clk_i, .rst_ni, .payload_valid_i(beside_valid), .payload_i(beside_in),
-    .conic_valid_i(placed_valid), .conic_ready_o(placed_ready), .conic_i(placed),
-    .tiles_valid_o(tiles_valid), .tiles_ready_i(tiles_ready), .tiles_o(tiles), .payload_o(beside),
-    .moved_o(regions_moved), .busy_o(regions_busy_o)
+    .clk_i,
+    .rst_ni,
+    .payload_valid_i(beside_valid),
+    .payload_i(beside_in),
+    .conic_valid_i(placed_valid),
+    .conic_ready_o(placed_ready),
+    .conic_i(placed),
+    .tiles_valid_o(tiles_valid),
+    .tiles_ready_i(tiles_ready),
+    .tiles_o(tiles),
+    .payload_o(beside),
+    .moved_o(regions_moved),
+    .busy_o(regions_busy_o)
   );
 
   if (pipegs_pkg::HasLists) begin : gen_list
     logic list_moved, list_busy;
     pu_list u_list (
-      .clk_i, .rst_ni, .rotation_i, .colors_i(colors), .sh_degree_i(tables_i.sh_degree), .windows_i,
-      .payload_valid_i, .payload_i, .conic_valid_i, .conic_ready_o, .conic_i,
-      .listed_valid_o(beside_valid), .listed_o(beside_in),
-      .placed_valid_o(placed_valid), .placed_ready_i(placed_ready), .placed_o(placed),
-      .color_valid_o, .color_ready_i, .color_address_o, .color_rsp_valid_i, .rsp_data_i,
-      .bad_o, .bad_line_o, .moved_o(list_moved), .busy_o(list_busy), .color_busy_o, .color_waiting_o
+      .clk_i,
+      .rst_ni,
+      .rotation_i,
+      .colors_i(colors),
+      .sh_degree_i(tables_i.sh_degree),
+      .windows_i,
+      .payload_valid_i,
+      .payload_i,
+      .conic_valid_i,
+      .conic_ready_o,
+      .conic_i,
+      .listed_valid_o(beside_valid),
+      .listed_o(beside_in),
+      .placed_valid_o(placed_valid),
+      .placed_ready_i(placed_ready),
+      .placed_o(placed),
+      .color_valid_o,
+      .color_ready_i,
+      .color_address_o,
+      .color_rsp_valid_i,
+      .rsp_data_i,
+      .bad_o,
+      .bad_line_o,
+      .moved_o(list_moved),
+      .busy_o(list_busy),
+      .color_busy_o,
+      .color_waiting_o
     );
     if (pipegs_pkg::CachesAlphas) begin : gen_fill
       logic fill_moved, fill_busy;
       pu_fill u_back (
-        .clk_i, .rst_ni, .overflow_i(overflow), .unit_i, .restart_i,
-        .tiles_valid_i(tiles_valid), .tiles_ready_o(tiles_ready), .tiles_i(tiles), .listed_i(beside),
-        .spill_valid_o, .spill_ready_i, .spill_address_o, .spill_data_o,
-        .splat_valid_o, .splat_ready_i, .splat_o, .number_o,
-        .full_o, .full_line_o, .moved_o(fill_moved), .busy_o(fill_busy), .rows_busy_o
+        .clk_i,
+        .rst_ni,
+        .overflow_i(overflow),
+        .unit_i,
+        .restart_i,
+        .tiles_valid_i(tiles_valid),
+        .tiles_ready_o(tiles_ready),
+        .tiles_i(tiles),
+        .listed_i(beside),
+        .spill_valid_o,
+        .spill_ready_i,
+        .spill_address_o,
+        .spill_data_o,
+        .splat_valid_o,
+        .splat_ready_i,
+        .splat_o,
+        .number_o,
+        .full_o,
+        .full_line_o,
+        .moved_o(fill_moved),
+        .busy_o(fill_busy),
+        .rows_busy_o
       );
       assign back_moved = list_moved || fill_moved;
       assign busy_o     = list_busy || fill_busy;
     end else begin : gen_record
-      pu_record u_back (.tiles_i(tiles), .listed_i(beside), .splat_o, .number_o);
+      pu_record u_back (
+        .tiles_i(tiles),
+        .listed_i(beside),
+        .splat_o,
+        .number_o
+      );
       assign splat_valid_o = tiles_valid;
       assign tiles_ready   = splat_ready_i;
       assign back_moved    = list_moved;
@@ -125,10 +177,20 @@ module pu_back #(
     logic window_moved, window_busy, parts_moved, parts_busy;
     if (pipegs_pkg::Parts > 1) begin : gen_parts
       pu_parts u_parts (
-        .clk_i, .rst_ni, .payload_valid_i, .payload_i, .conic_valid_i, .conic_ready_o, .conic_i,
-        .parted_valid_o(beside_valid), .parted_o(beside_in),
-        .placed_valid_o(placed_valid), .placed_ready_i(placed_ready), .placed_o(placed),
-        .moved_o(parts_moved), .busy_o(parts_busy)
+        .clk_i,
+        .rst_ni,
+        .payload_valid_i,
+        .payload_i,
+        .conic_valid_i,
+        .conic_ready_o,
+        .conic_i,
+        .parted_valid_o(beside_valid),
+        .parted_o(beside_in),
+        .placed_valid_o(placed_valid),
+        .placed_ready_i(placed_ready),
+        .placed_o(placed),
+        .moved_o(parts_moved),
+        .busy_o(parts_busy)
       );
     end else begin : gen_whole
       assign placed_valid  = conic_valid_i;
@@ -144,26 +206,81 @@ module pu_back #(
     assign number_o   = '0;
     if (pipegs_pkg::CachesAlphas) begin : gen_cache
       pu_cache u_back (
-        .clk_i, .rst_ni, .rotation_i, .colors_i(colors), .sh_degree_i(tables_i.sh_degree),
-        .overflow_i(overflow), .windows_i, .unit_i, .restart_i,
-        .tiles_valid_i(tiles_valid), .tiles_ready_o(tiles_ready), .tiles_i(tiles), .payload_i(beside),
-        .done_i, .done_x_i, .done_y_i, .line_free_i, .layer_free_i,
-        .color_valid_o, .color_ready_i, .color_address_o, .color_rsp_valid_i, .rsp_data_i,
-        .spill_valid_o, .spill_ready_i, .spill_address_o, .spill_data_o,
-        .store_write_o, .store_address_o, .store_line_o,
-        .splat_valid_o, .splat_ready_i, .splat_o,
-        .overflowed_o, .full_o, .full_line_o, .bad_o, .bad_line_o, .moved_o(window_moved), .busy_o(window_busy),
-        .rows_busy_o, .color_busy_o, .color_waiting_o,
+        .clk_i,
+        .rst_ni,
+        .rotation_i,
+        .colors_i(colors),
+        .sh_degree_i(tables_i.sh_degree),
+        .overflow_i(overflow),
+        .windows_i,
+        .unit_i,
+        .restart_i,
+        .tiles_valid_i(tiles_valid),
+        .tiles_ready_o(tiles_ready),
+        .tiles_i(tiles),
+        .payload_i(beside),
+        .done_i,
+        .done_x_i,
+        .done_y_i,
+        .line_free_i,
+        .layer_free_i,
+        .color_valid_o,
+        .color_ready_i,
+        .color_address_o,
+        .color_rsp_valid_i,
+        .rsp_data_i,
+        .spill_valid_o,
+        .spill_ready_i,
+        .spill_address_o,
+        .spill_data_o,
+        .store_write_o,
+        .store_address_o,
+        .store_line_o,
+        .splat_valid_o,
+        .splat_ready_i,
+        .splat_o,
+        .overflowed_o,
+        .full_o,
+        .full_line_o,
+        .bad_o,
+        .bad_line_o,
+        .moved_o(window_moved),
+        .busy_o(window_busy),
+        .rows_busy_o,
+        .color_busy_o,
+        .color_waiting_o,
         .waiting_o
       );
     end else begin : gen_late
       pu_late u_back (
-        .clk_i, .rst_ni, .rotation_i, .colors_i(colors), .sh_degree_i(tables_i.sh_degree),
-        .windows_i, .restart_i, .tiles_valid_i(tiles_valid), .tiles_ready_o(tiles_ready), .tiles_i(tiles),
-        .parted_i(beside), .done_i, .done_x_i, .done_y_i,
-        .color_valid_o, .color_ready_i, .color_address_o, .color_rsp_valid_i, .rsp_data_i,
-        .splat_valid_o, .splat_ready_i, .splat_o,
-        .bad_o, .bad_line_o, .moved_o(window_moved), .busy_o(window_busy), .color_busy_o, .color_waiting_o
+        .clk_i,
+        .rst_ni,
+        .rotation_i,
+        .colors_i(colors),
+        .sh_degree_i(tables_i.sh_degree),
+        .windows_i,
+        .restart_i,
+        .tiles_valid_i(tiles_valid),
+        .tiles_ready_o(tiles_ready),
+        .tiles_i(tiles),
+        .parted_i(beside),
+        .done_i,
+        .done_x_i,
+        .done_y_i,
+        .color_valid_o,
+        .color_ready_i,
+        .color_address_o,
+        .color_rsp_valid_i,
+        .rsp_data_i,
+        .splat_valid_o,
+        .splat_ready_i,
+        .splat_o,
+        .bad_o,
+        .bad_line_o,
+        .moved_o(window_moved),
+        .busy_o(window_busy),
+        .color_busy_o,
+        .color_waiting_o
       );
       assign rows_busy_o = 1'b0;
     end

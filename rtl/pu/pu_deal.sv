@@ -51,11 +51,20 @@ module pu_deal #(
   assign free = (waiting_q & ~out_ready_i) == '0;
 
   pipegs_arbiter #(.Ports(Fronts)) u_source (
-    .clk_i, .rst_ni, .request_i(data), .advance_i(take_data), .grant_o(source), .port_o(source_port)
+    .clk_i,
+    .rst_ni,
+    .request_i(data),
+    .advance_i(take_data),
+    .grant_o(source),
+    .port_o(source_port)
   );
   // A PU that takes the present record in this cycle may have filled its queue with it.
   assign room = out_room_i & ~waiting_q;
-  pipegs_round_robin #(.Ports(Units)) u_target (.mask_i(room), .last_i(last_q), .choice_o(target_port));
+  pipegs_round_robin #(.Ports(Units)) u_target (
+    .mask_i(room),
+    .last_i(last_q),
+    .choice_o(target_port)
+  );
   always_comb begin
     target              = '0;
     target[target_port] = room[target_port];
@@ -87,7 +96,11 @@ module pu_deal #(
 
 `ifndef SYNTHESIS
   pipegs_stream_check #(.Ports(Units), .Shared(1), .DataW($bits(out_o))) u_check_out (
-    .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i), .beat_i(out_o)
+    .clk_i,
+    .rst_ni,
+    .valid_i(out_valid_o),
+    .ready_i(out_ready_i),
+    .beat_i(out_o)
   );
 `endif
 

@@ -46,7 +46,11 @@ module pu_join (
   always_ff @(posedge clk_i) if (rst_ni) assert (!rows_end_valid_i || ends_q != CountW'(pipegs_pkg::AlphaLayers))
     else $error("pu_join: the rows end one layer more than may live");
   pipegs_stream_check #(.DataW($bits(splat_o)), .Proven(1)) u_check_splat (
-    .clk_i, .rst_ni, .valid_i(splat_valid_o), .ready_i(splat_ready_i), .beat_i(splat_o)
+    .clk_i,
+    .rst_ni,
+    .valid_i(splat_valid_o),
+    .ready_i(splat_ready_i),
+    .beat_i(splat_o)
   );
 `endif
 

@@ -36,9 +36,15 @@ module pu_marks (
   assign chunk_ready_o = chunk_ready_i && (room || !chunk_is_end || !chunk_valid_i);
 
   pipegs_fifo #(.DataW(DepthW), .Depth(Marks)) u_marks (
-    .clk_i, .rst_ni,
-    .in_valid_i(chunk_valid_i && chunk_ready_i && chunk_is_end), .in_ready_o(room), .in_i(chunk_i.watermark),
-    .out_valid_o(held), .out_ready_i(splat_taken_i && splat_is_end), .out_o(mark), .count_o(count)
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(chunk_valid_i && chunk_ready_i && chunk_is_end),
+    .in_ready_o(room),
+    .in_i(chunk_i.watermark),
+    .out_valid_o(held),
+    .out_ready_i(splat_taken_i && splat_is_end),
+    .out_o(mark),
+    .count_o(count)
   );
 
   always_comb begin
@@ -53,7 +59,11 @@ module pu_marks (
   always_ff @(posedge clk_i) if (rst_ni) assert (!(splat_taken_i && splat_is_end) || held)
     else $error("a layer's end has no watermark");
   pipegs_stream_check u_check_chunk (
-    .clk_i, .rst_ni, .valid_i(chunk_valid_o), .ready_i(chunk_ready_i), .beat_i(1'b0)
+    .clk_i,
+    .rst_ni,
+    .valid_i(chunk_valid_o),
+    .ready_i(chunk_ready_i),
+    .beat_i(1'b0)
   );
 `endif
 

@@ -44,20 +44,35 @@ module pu_parts (
   pipegs_pkg::payload_t        payload;
 
   pipegs_sram_fifo #(.DataW(pipegs_pkg::PayloadBits), .Depth(Places)) u_payload (
-    .clk_i, .rst_ni, .in_valid_i(payload_valid_i), .in_ready_o(payload_room), .in_i(payload_i),
-    .out_valid_o(payload_held), .out_ready_i(payload_take), .out_o(payload), .count_o(payload_count)
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(payload_valid_i),
+    .in_ready_o(payload_room),
+    .in_i(payload_i),
+    .out_valid_o(payload_held),
+    .out_ready_i(payload_take),
+    .out_o(payload),
+    .count_o(payload_count)
   );
 
   // --- the box -------------------------------------------------------------------------------------------------------
   logic [AxisW-1:0] first_x, last_x, first_y, last_y;
   logic             none_x, none_y;
   pu_span #(.SideF(SideF), .IndexW(AxisW)) u_columns (
-    .mean_i(conic_i.mean_x), .extent_i(conic_i.extent_x), .most_i(Most),
-    .first_o(first_x), .last_o(last_x), .none_o(none_x)
+    .mean_i(conic_i.mean_x),
+    .extent_i(conic_i.extent_x),
+    .most_i(Most),
+    .first_o(first_x),
+    .last_o(last_x),
+    .none_o(none_x)
   );
   pu_span #(.SideF(SideF), .IndexW(AxisW)) u_rows (
-    .mean_i(conic_i.mean_y), .extent_i(conic_i.extent_y), .most_i(Most),
-    .first_o(first_y), .last_o(last_y), .none_o(none_y)
+    .mean_i(conic_i.mean_y),
+    .extent_i(conic_i.extent_y),
+    .most_i(Most),
+    .first_o(first_y),
+    .last_o(last_y),
+    .none_o(none_y)
   );
 
   // --- the walk: the conic stays at the input until its last part ----------------------------------------------------
@@ -106,8 +121,14 @@ module pu_parts (
                    $signed((MeanW + 1)'({column_q, {(SideF + pipegs_pkg::MeanF){1'b0}}}));
   assign moved_y = (MeanW + 1)'(conic_i.mean_y) -
                    $signed((MeanW + 1)'({row_q, {(SideF + pipegs_pkg::MeanF){1'b0}}}));
-  pipegs_saturate #(.InW(MeanW + 1), .OutW(PlacedW)) u_placed_x (.in_i(moved_x), .out_o(placed_x));
-  pipegs_saturate #(.InW(MeanW + 1), .OutW(PlacedW)) u_placed_y (.in_i(moved_y), .out_o(placed_y));
+  pipegs_saturate #(.InW(MeanW + 1), .OutW(PlacedW)) u_placed_x (
+    .in_i(moved_x),
+    .out_o(placed_x)
+  );
+  pipegs_saturate #(.InW(MeanW + 1), .OutW(PlacedW)) u_placed_y (
+    .in_i(moved_y),
+    .out_o(placed_y)
+  );
   always_comb begin
     placed = conic_i;
     if (data) begin
@@ -132,7 +153,11 @@ module pu_parts (
   always_ff @(posedge clk_i) if (rst_ni) assert (!start || payload_held)
     else $error("a payload is not there in time");
   pipegs_stream_check #(.DataW($bits(placed_o))) u_check_placed (
-    .clk_i, .rst_ni, .valid_i(placed_valid_o), .ready_i(placed_ready_i), .beat_i(placed_o)
+    .clk_i,
+    .rst_ni,
+    .valid_i(placed_valid_o),
+    .ready_i(placed_ready_i),
+    .beat_i(placed_o)
   );
 `endif
 

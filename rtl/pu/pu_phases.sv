@@ -85,7 +85,11 @@ module pu_phases #(
   always_ff @(posedge clk_i) if (rst_ni) assert (!finish || !out_valid_q);
   always_ff @(posedge clk_i) if (rst_ni) assert (phase_o == 8'b1 << phase_q);  // so a parallel_case is safe
   pipegs_stream_check #(.Proven(1)) u_check_out (
-    .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i), .beat_i(1'b0)
+    .clk_i,
+    .rst_ni,
+    .valid_i(out_valid_o),
+    .ready_i(out_ready_i),
+    .beat_i(1'b0)
   );
 `endif
 

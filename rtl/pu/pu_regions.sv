@@ -48,28 +48,63 @@ module pu_regions #(
   assign payload_o = tiles_o.kind == pipegs_pkg::KindData ? payload : '0;
 
   pu_coeff u_coeff (
-    .clk_i, .rst_ni, .conic_valid_i, .conic_ready_o, .conic_i,
-    .coeff_valid_o(coeff_valid), .coeff_ready_i(coeff_ready), .coeff_o(coeff), .busy_o(coeff_busy)
+    .clk_i,
+    .rst_ni,
+    .conic_valid_i,
+    .conic_ready_o,
+    .conic_i,
+    .coeff_valid_o(coeff_valid),
+    .coeff_ready_i(coeff_ready),
+    .coeff_o(coeff),
+    .busy_o(coeff_busy)
   );
 
   pipegs_sram_fifo #(.DataW(pipegs_pkg::CoeffBits), .Depth(WalkDepth)) u_walks (
-    .clk_i, .rst_ni, .in_valid_i(coeff_valid), .in_ready_o(coeff_ready), .in_i(coeff),
-    .out_valid_o(walk_valid), .out_ready_i(walk_ready), .out_o(walk), .count_o(walk_count)
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(coeff_valid),
+    .in_ready_o(coeff_ready),
+    .in_i(coeff),
+    .out_valid_o(walk_valid),
+    .out_ready_i(walk_ready),
+    .out_o(walk),
+    .count_o(walk_count)
   );
 
   pu_intersect u_intersect (
-    .clk_i, .rst_ni, .coeff_valid_i(walk_valid), .coeff_ready_o(walk_ready), .coeff_i(walk),
-    .tiles_valid_o, .tiles_ready_i, .tiles_o,
-    .drop_o(drop), .walk_o(go), .leave_o(leave), .busy_o(intersect_busy)
+    .clk_i,
+    .rst_ni,
+    .coeff_valid_i(walk_valid),
+    .coeff_ready_o(walk_ready),
+    .coeff_i(walk),
+    .tiles_valid_o,
+    .tiles_ready_i,
+    .tiles_o,
+    .drop_o(drop),
+    .walk_o(go),
+    .leave_o(leave),
+    .busy_o(intersect_busy)
   );
 
   pipegs_sram_fifo #(.DataW(PayloadW), .Depth(Waiting)) u_waiting (
-    .clk_i, .rst_ni, .in_valid_i(payload_valid_i), .in_ready_o(waiting_room), .in_i(payload_i),
-    .out_valid_o(waiting_held), .out_ready_i(drop || go), .out_o(waiting), .count_o(waiting_count)
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(payload_valid_i),
+    .in_ready_o(waiting_room),
+    .in_i(payload_i),
+    .out_valid_o(waiting_held),
+    .out_ready_i(drop || go),
+    .out_o(waiting),
+    .count_o(waiting_count)
   );
 
   pu_payload #(.DataW(PayloadW)) u_payload (
-    .clk_i, .rst_ni, .walk_i(go), .payload_i(waiting), .leave_i(leave), .payload_o(payload)
+    .clk_i,
+    .rst_ni,
+    .walk_i(go),
+    .payload_i(waiting),
+    .leave_i(leave),
+    .payload_o(payload)
   );
 
   logic unused;

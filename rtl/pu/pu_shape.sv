@@ -67,60 +67,122 @@ module pu_shape (
   assign busy_o        = |busy;
 
   pu_project u_project (
-    .clk_i, .rst_ni, .lens_i, .visible_valid_i, .visible_ready_o, .visible_i,
-    .projected_valid_o(valid[Project]), .projected_ready_i(ready[Project]), .projected_o(projected),
-    .center_valid_o(center_valid), .center_o(center_in), .payload_valid_o, .payload_o, .busy_o(busy[Project])
+    .clk_i,
+    .rst_ni,
+    .lens_i,
+    .visible_valid_i,
+    .visible_ready_o,
+    .visible_i,
+    .projected_valid_o(valid[Project]),
+    .projected_ready_i(ready[Project]),
+    .projected_o(projected),
+    .center_valid_o(center_valid),
+    .center_o(center_in),
+    .payload_valid_o,
+    .payload_o,
+    .busy_o(busy[Project])
   );
 
   pipegs_sram_fifo #(.DataW(pipegs_pkg::CenterBits), .Depth(CenterDepth)) u_centers (
-    .clk_i, .rst_ni, .in_valid_i(center_valid), .in_ready_o(center_room), .in_i(center_in),
-    .out_valid_o(center_held), .out_ready_i(center_take), .out_o(center), .count_o(center_count)
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(center_valid),
+    .in_ready_o(center_room),
+    .in_i(center_in),
+    .out_valid_o(center_held),
+    .out_ready_i(center_take),
+    .out_o(center),
+    .count_o(center_count)
   );
 
   pu_orient u_orient (
-    .clk_i, .rst_ni, .quaternion_i,
-    .projected_valid_i(valid[Project]), .projected_ready_o(ready[Project]), .projected_i(projected),
-    .oriented_valid_o(valid[Orient]), .oriented_ready_i(ready[Orient]), .oriented_o(oriented), .busy_o(busy[Orient])
+    .clk_i,
+    .rst_ni,
+    .quaternion_i,
+    .projected_valid_i(valid[Project]),
+    .projected_ready_o(ready[Project]),
+    .projected_i(projected),
+    .oriented_valid_o(valid[Orient]),
+    .oriented_ready_i(ready[Orient]),
+    .oriented_o(oriented),
+    .busy_o(busy[Orient])
   );
 
   pu_jacobian u_jacobian (
-    .clk_i, .rst_ni, .focal_x_i(lens_i.focal_x), .focal_y_i(lens_i.focal_y),
-    .oriented_valid_i(valid[Orient]), .oriented_ready_o(ready[Orient]), .oriented_i(oriented),
-    .jacobian_valid_o(valid[Jacobian]), .jacobian_ready_i(ready[Jacobian]), .jacobian_o(jacobian),
+    .clk_i,
+    .rst_ni,
+    .focal_x_i(lens_i.focal_x),
+    .focal_y_i(lens_i.focal_y),
+    .oriented_valid_i(valid[Orient]),
+    .oriented_ready_o(ready[Orient]),
+    .oriented_i(oriented),
+    .jacobian_valid_o(valid[Jacobian]),
+    .jacobian_ready_i(ready[Jacobian]),
+    .jacobian_o(jacobian),
     .busy_o(busy[Jacobian])
   );
 
   pu_factors u_factors (
-    .clk_i, .rst_ni,
-    .jacobian_valid_i(valid[Jacobian]), .jacobian_ready_o(ready[Jacobian]), .jacobian_i(jacobian),
-    .factors_valid_o(valid[Factors]), .factors_ready_i(ready[Factors]), .factors_o(factors), .busy_o(busy[Factors])
+    .clk_i,
+    .rst_ni,
+    .jacobian_valid_i(valid[Jacobian]),
+    .jacobian_ready_o(ready[Jacobian]),
+    .jacobian_i(jacobian),
+    .factors_valid_o(valid[Factors]),
+    .factors_ready_i(ready[Factors]),
+    .factors_o(factors),
+    .busy_o(busy[Factors])
   );
 
   pu_squares u_squares (
-    .clk_i, .rst_ni,
-    .factors_valid_i(valid[Factors]), .factors_ready_o(ready[Factors]), .factors_i(factors),
-    .squares_valid_o(valid[Squares]), .squares_ready_i(ready[Squares]), .squares_o(squares), .busy_o(busy[Squares])
+    .clk_i,
+    .rst_ni,
+    .factors_valid_i(valid[Factors]),
+    .factors_ready_o(ready[Factors]),
+    .factors_i(factors),
+    .squares_valid_o(valid[Squares]),
+    .squares_ready_i(ready[Squares]),
+    .squares_o(squares),
+    .busy_o(busy[Squares])
   );
 
   pu_covariance u_covariance (
-    .clk_i, .rst_ni,
-    .squares_valid_i(valid[Squares]), .squares_ready_o(ready[Squares]), .squares_i(squares),
-    .center_i(center), .center_take_o(center_take),
-    .covariance_valid_o(valid[Covariance]), .covariance_ready_i(ready[Covariance]), .covariance_o(covariance),
+    .clk_i,
+    .rst_ni,
+    .squares_valid_i(valid[Squares]),
+    .squares_ready_o(ready[Squares]),
+    .squares_i(squares),
+    .center_i(center),
+    .center_take_o(center_take),
+    .covariance_valid_o(valid[Covariance]),
+    .covariance_ready_i(ready[Covariance]),
+    .covariance_o(covariance),
     .busy_o(busy[Covariance])
   );
 
   if (pipegs_pkg::Oriented) begin : gen_oriented
     pipegs_pkg::axes_t axes;
     pu_axes u_axes (
-      .clk_i, .rst_ni,
-      .covariance_valid_i(valid[Covariance]), .covariance_ready_o(ready[Covariance]), .covariance_i(covariance),
-      .axes_valid_o(valid[Axes]), .axes_ready_i(ready[Axes]), .axes_o(axes), .busy_o(busy[Axes])
+      .clk_i,
+      .rst_ni,
+      .covariance_valid_i(valid[Covariance]),
+      .covariance_ready_o(ready[Covariance]),
+      .covariance_i(covariance),
+      .axes_valid_o(valid[Axes]),
+      .axes_ready_i(ready[Axes]),
+      .axes_o(axes),
+      .busy_o(busy[Axes])
     );
     pu_box u_box (
-      .clk_i, .rst_ni,
-      .axes_valid_i(valid[Axes]), .axes_ready_o(ready[Axes]), .axes_i(axes),
-      .covariance_valid_o(valid[Box]), .covariance_ready_i(ready[Box]), .covariance_o(boxed), .busy_o(busy[Box])
+      .clk_i,
+      .rst_ni,
+      .axes_valid_i(valid[Axes]),
+      .axes_ready_o(ready[Axes]),
+      .axes_i(axes),
+      .covariance_valid_o(valid[Box]),
+      .covariance_ready_i(ready[Box]),
+      .covariance_o(boxed),
+      .busy_o(busy[Box])
     );
   end else begin : gen_reached
     assign valid[Box:Axes]   = {2{valid[Covariance]}};
@@ -132,9 +194,15 @@ module pu_shape (
 
   if (pipegs_pkg::Antialias == 1) begin : gen_compensate
     pu_compensate u_compensate (
-      .clk_i, .rst_ni, .antialias_i(tables_i.antialias),
-      .covariance_valid_i(valid[Box]), .covariance_ready_o(ready[Box]), .covariance_i(boxed),
-      .compensated_valid_o(valid[Compensate]), .compensated_ready_i(ready[Compensate]), .compensated_o(compensated),
+      .clk_i,
+      .rst_ni,
+      .antialias_i(tables_i.antialias),
+      .covariance_valid_i(valid[Box]),
+      .covariance_ready_o(ready[Box]),
+      .covariance_i(boxed),
+      .compensated_valid_o(valid[Compensate]),
+      .compensated_ready_i(ready[Compensate]),
+      .compensated_o(compensated),
       .busy_o(busy[Compensate])
     );
   end else begin : gen_sharp
@@ -145,9 +213,15 @@ module pu_shape (
   end
 
   pu_conic u_conic (
-    .clk_i, .rst_ni,
-    .covariance_valid_i(valid[Compensate]), .covariance_ready_o(ready[Compensate]), .covariance_i(compensated),
-    .conic_valid_o(valid[Conic]), .conic_ready_i(ready[Conic]), .conic_o, .busy_o(busy[Conic])
+    .clk_i,
+    .rst_ni,
+    .covariance_valid_i(valid[Compensate]),
+    .covariance_ready_o(ready[Compensate]),
+    .covariance_i(compensated),
+    .conic_valid_o(valid[Conic]),
+    .conic_ready_i(ready[Conic]),
+    .conic_o,
+    .busy_o(busy[Conic])
   );
 
   logic unused;  // of the tables only the flag, with Antialias
@@ -159,7 +233,11 @@ module pu_shape (
   always_ff @(posedge clk_i) if (rst_ni) assert (!center_take || center_held)
     else $error("a centre is not there in time");
   pipegs_stream_check #(.DataW($bits(conic_o))) u_check_conic (
-    .clk_i, .rst_ni, .valid_i(conic_valid_o), .ready_i(conic_ready_i), .beat_i(conic_o)
+    .clk_i,
+    .rst_ni,
+    .valid_i(conic_valid_o),
+    .ready_i(conic_ready_i),
+    .beat_i(conic_o)
   );
 `endif
 

@@ -72,7 +72,11 @@ module pu_turns #(
     else $error("the record went away from the input");
   always_ff @(posedge clk_i) if (rst_ni) assert ($onehot(phase_q));  // so a parallel_case is safe
   pipegs_stream_check #(.Proven(1)) u_check_out (
-    .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i), .beat_i(1'b0)
+    .clk_i,
+    .rst_ni,
+    .valid_i(out_valid_o),
+    .ready_i(out_ready_i),
+    .beat_i(1'b0)
   );
 `endif
 

@@ -88,8 +88,15 @@ module pipegs_ru #(
   logic [$clog2(pipegs_pkg::RuQueue+1)-1:0] queued;
 
   pipegs_sram_fifo #(.DataW(pipegs_pkg::SortedBits), .Depth(pipegs_pkg::RuQueue)) u_queue (
-    .clk_i, .rst_ni, .in_valid_i, .in_ready_o, .in_i,
-    .out_valid_o(splat_valid), .out_ready_i(splat_ready), .out_o(splat), .count_o(queued)
+    .clk_i,
+    .rst_ni,
+    .in_valid_i,
+    .in_ready_o,
+    .in_i,
+    .out_valid_o(splat_valid),
+    .out_ready_i(splat_ready),
+    .out_o(splat),
+    .count_o(queued)
   );
 
   // --- where in the frame -------------------------------------------------------------------------------------------
@@ -99,13 +106,28 @@ module pipegs_ru #(
   logic [$clog2(pipegs_pkg::Window):0] columns, rows;
   logic [AddressW-1:0]               line;  // first one of the window's pixels
 
-  ru_own u_own (.unit_i, .own_o(part_own));
+  ru_own u_own (
+    .unit_i,
+    .own_o(part_own)
+  );
   assign own = {pipegs_pkg::Parts{part_own}};
   ru_window u_window (
-    .clk_i, .rst_ni, .width_i(raster_i.width), .height_i(raster_i.height), .first_x_i(raster_i.windows.first_x),
-    .first_y_i(raster_i.windows.first_y), .last_x_i(raster_i.windows.last_x), .picture_i, .restart_i,
-    .advance_i(window_done_o), .x_o(done_x_o), .y_o(done_y_o), .columns_o(columns), .rows_o(rows),
-    .outside_o(outside), .line_o(line)
+    .clk_i,
+    .rst_ni,
+    .width_i(raster_i.width),
+    .height_i(raster_i.height),
+    .first_x_i(raster_i.windows.first_x),
+    .first_y_i(raster_i.windows.first_y),
+    .last_x_i(raster_i.windows.last_x),
+    .picture_i,
+    .restart_i,
+    .advance_i(window_done_o),
+    .x_o(done_x_o),
+    .y_o(done_y_o),
+    .columns_o(columns),
+    .rows_o(rows),
+    .outside_o(outside),
+    .line_o(line)
   );
   assign joined = picture_i.format && Units > 1;
   for (genvar i = 0; i < Regions; i += 1) begin : gen_unwritten
@@ -124,24 +146,72 @@ module pipegs_ru #(
     logic [AddrW-1:0] resolve_raddr;
     logic [WordW-1:0] resolve_rdata;
     ru_whole u_blend (
-      .clk_i, .rst_ni, .overflow_i, .unit_i, .restart_i,
-      .in_valid_i(splat_valid), .in_ready_o(splat_ready), .in_i(splat),
-      .read_valid_o, .read_ready_i, .read_address_o, .read_skip_o, .answer_valid_i, .answer_i,
-      .load_valid_o(load_valid), .load_ready_i(load_ready), .load_address_o(load_address), .rsp_valid_i, .rsp_data_i,
-      .own_i(own), .outside_i(outside), .columns_i(columns), .rows_i(rows), .done_o,
-      .resolve_ready_i(resolve_ready), .resolve_read_i(resolve_read), .resolve_raddr_i(resolve_raddr),
-      .resolve_rdata_o(resolve_rdata), .resolve_fresh_o(resolve_fresh),
-      .layer_done_o, .window_done_o, .issue_o(issue), .memory_o(memory), .waits_o(waits), .idle_o(whole_idle),
-      .tap_line_valid_o, .tap_line_index_o, .tap_line_region_o, .tap_line_o,
-      .tap_word_valid_o, .tap_word_region_o, .tap_word_quarter_o, .tap_word_o
+      .clk_i,
+      .rst_ni,
+      .overflow_i,
+      .unit_i,
+      .restart_i,
+      .in_valid_i(splat_valid),
+      .in_ready_o(splat_ready),
+      .in_i(splat),
+      .read_valid_o,
+      .read_ready_i,
+      .read_address_o,
+      .read_skip_o,
+      .answer_valid_i,
+      .answer_i,
+      .load_valid_o(load_valid),
+      .load_ready_i(load_ready),
+      .load_address_o(load_address),
+      .rsp_valid_i,
+      .rsp_data_i,
+      .own_i(own),
+      .outside_i(outside),
+      .columns_i(columns),
+      .rows_i(rows),
+      .done_o,
+      .resolve_ready_i(resolve_ready),
+      .resolve_read_i(resolve_read),
+      .resolve_raddr_i(resolve_raddr),
+      .resolve_rdata_o(resolve_rdata),
+      .resolve_fresh_o(resolve_fresh),
+      .layer_done_o,
+      .window_done_o,
+      .issue_o(issue),
+      .memory_o(memory),
+      .waits_o(waits),
+      .idle_o(whole_idle),
+      .tap_line_valid_o,
+      .tap_line_index_o,
+      .tap_line_region_o,
+      .tap_line_o,
+      .tap_word_valid_o,
+      .tap_word_region_o,
+      .tap_word_quarter_o,
+      .tap_word_o
     );
     ru_resolve u_resolve (
-      .clk_i, .rst_ni, .unit_i, .raster_i(picture_i.format), .stride_i(picture_i.stride),
-      .start_i(window_done_o), .ready_o(resolve_ready), .line_i(line), .columns_i(columns), .rows_i(rows),
+      .clk_i,
+      .rst_ni,
+      .unit_i,
+      .raster_i(picture_i.format),
+      .stride_i(picture_i.stride),
+      .start_i(window_done_o),
+      .ready_o(resolve_ready),
+      .line_i(line),
+      .columns_i(columns),
+      .rows_i(rows),
       .outside_i(unwritten),
-      .read_o(resolve_read), .raddr_o(resolve_raddr), .rdata_i(resolve_rdata), .fresh_i(resolve_fresh),
-      .mem_valid_o(store_valid), .mem_ready_i(store_ready), .mem_address_o(store_address),
-      .mem_halves_o(store_halves), .mem_wide_o(store_wide), .mem_data_o(store_data)
+      .read_o(resolve_read),
+      .raddr_o(resolve_raddr),
+      .rdata_i(resolve_rdata),
+      .fresh_i(resolve_fresh),
+      .mem_valid_o(store_valid),
+      .mem_ready_i(store_ready),
+      .mem_address_o(store_address),
+      .mem_halves_o(store_halves),
+      .mem_wide_o(store_wide),
+      .mem_data_o(store_data)
     );
     assign {pair_at_end_o, pair_wanted_o} = '0;
     logic unused_pair;
@@ -150,15 +220,44 @@ module pipegs_ru #(
     assign tap_line_quarter_o = '0;
   end else begin : gen_live
     ru_live u_blend (
-      .clk_i, .rst_ni, .restart_i, .in_valid_i(splat_valid), .in_ready_o(splat_ready), .in_i(splat),
-      .own_i(own), .unwritten_i(unwritten), .columns_i(columns), .rows_i(rows), .done_o,
-      .joined_i(joined), .pair_at_end_i, .pair_wanted_i, .at_end_o(pair_at_end_o), .wanted_o(pair_wanted_o),
-      .raster_i(picture_i.format), .stride_i(picture_i.stride), .line_i(line), .store_valid_o(store_valid),
-      .store_ready_i(store_ready), .store_address_o(store_address), .store_halves_o(store_halves),
-      .store_wide_o(store_wide), .store_data_o(store_data), .layer_done_o, .window_done_o, .issue_o(issue),
+      .clk_i,
+      .rst_ni,
+      .restart_i,
+      .in_valid_i(splat_valid),
+      .in_ready_o(splat_ready),
+      .in_i(splat),
+      .own_i(own),
+      .unwritten_i(unwritten),
+      .columns_i(columns),
+      .rows_i(rows),
+      .done_o,
+      .joined_i(joined),
+      .pair_at_end_i,
+      .pair_wanted_i,
+      .at_end_o(pair_at_end_o),
+      .wanted_o(pair_wanted_o),
+      .raster_i(picture_i.format),
+      .stride_i(picture_i.stride),
+      .line_i(line),
+      .store_valid_o(store_valid),
+      .store_ready_i(store_ready),
+      .store_address_o(store_address),
+      .store_halves_o(store_halves),
+      .store_wide_o(store_wide),
+      .store_data_o(store_data),
+      .layer_done_o,
+      .window_done_o,
+      .issue_o(issue),
       .idle_o(blend_idle),
-      .tap_line_valid_o, .tap_line_index_o, .tap_line_region_o, .tap_line_quarter_o, .tap_line_o,
-      .tap_word_valid_o, .tap_word_region_o, .tap_word_quarter_o, .tap_word_o
+      .tap_line_valid_o,
+      .tap_line_index_o,
+      .tap_line_region_o,
+      .tap_line_quarter_o,
+      .tap_line_o,
+      .tap_word_valid_o,
+      .tap_word_region_o,
+      .tap_word_quarter_o,
+      .tap_word_o
     );
     assign {read_valid_o, read_address_o, read_skip_o, load_valid, load_address, memory, waits} = '0;
     logic unused_lines;
@@ -167,16 +266,41 @@ module pipegs_ru #(
   end
 
   ru_join u_join (
-    .joined_i(joined), .odd_i(unit_i[0]), .wide_i(store_wide), .in_valid_i(store_valid), .in_ready_o(store_ready),
-    .in_halves_i(store_halves), .in_data_i(store_data), .pair_valid_o, .pair_taken_o, .pair_row_o, .pair_valid_i,
-    .pair_taken_i, .pair_row_i, .out_valid_o(write_valid), .out_ready_i(write_ready), .out_halves_o(write_halves),
+    .joined_i(joined),
+    .odd_i(unit_i[0]),
+    .wide_i(store_wide),
+    .in_valid_i(store_valid),
+    .in_ready_o(store_ready),
+    .in_halves_i(store_halves),
+    .in_data_i(store_data),
+    .pair_valid_o,
+    .pair_taken_o,
+    .pair_row_o,
+    .pair_valid_i,
+    .pair_taken_i,
+    .pair_row_i,
+    .out_valid_o(write_valid),
+    .out_ready_i(write_ready),
+    .out_halves_o(write_halves),
     .out_data_o(write_data)
   );
   ru_memory u_memory (
-    .clk_i, .rst_ni, .read_valid_i(load_valid), .read_ready_o(load_ready), .read_address_i(load_address),
-    .write_valid_i(write_valid), .write_ready_o(write_ready), .write_address_i(store_address),
-    .write_halves_i(write_halves), .write_data_i(write_data), .mem_valid_o, .mem_ready_i, .mem_write_o,
-    .mem_address_o, .mem_halves_o, .mem_data_o
+    .clk_i,
+    .rst_ni,
+    .read_valid_i(load_valid),
+    .read_ready_o(load_ready),
+    .read_address_i(load_address),
+    .write_valid_i(write_valid),
+    .write_ready_o(write_ready),
+    .write_address_i(store_address),
+    .write_halves_i(write_halves),
+    .write_data_i(write_data),
+    .mem_valid_o,
+    .mem_ready_i,
+    .mem_write_o,
+    .mem_address_o,
+    .mem_halves_o,
+    .mem_data_o
   );
 
   // --- what the unit does in this cycle -----------------------------------------------------------------------------
@@ -193,7 +317,11 @@ module pipegs_ru #(
 
 `ifndef SYNTHESIS
   pipegs_stream_check #(.DataW($bits({store_address, write_halves, write_data}))) u_check_write (
-    .clk_i, .rst_ni, .valid_i(write_valid), .ready_i(write_ready), .beat_i({store_address, write_halves, write_data})
+    .clk_i,
+    .rst_ni,
+    .valid_i(write_valid),
+    .ready_i(write_ready),
+    .beat_i({store_address, write_halves, write_data})
   );
 `endif
 

@@ -32,7 +32,10 @@ module ru_dispatch (
 
   for (genvar i = 0; i < Units; i += 1) begin : gen_unit
     logic [pipegs_pkg::MaskW-1:0] own;
-    ru_own u_own (.unit_i(pipegs_pkg::UnitW'(i)), .own_o(own));
+    ru_own u_own (
+      .unit_i(pipegs_pkg::UnitW'(i)),
+      .own_o(own)
+    );
     assign covers[i] = in_i.kind != pipegs_pkg::KindData || (in_i.mask & own) != '0;
   end
 
@@ -53,7 +56,11 @@ module ru_dispatch (
 
 `ifndef SYNTHESIS
   pipegs_stream_check #(.Ports(pipegs_pkg::Units), .Shared(1), .DataW($bits(out_o))) u_check_out (
-    .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i), .beat_i(out_o)
+    .clk_i,
+    .rst_ni,
+    .valid_i(out_valid_o),
+    .ready_i(out_ready_i),
+    .beat_i(out_o)
   );
 `endif
 

@@ -117,13 +117,27 @@ module ru_fetch (
   end
 
   pipegs_sram_fifo #(.DataW(pipegs_pkg::BlendBits), .Depth(Records)) u_records (
-    .clk_i, .rst_ni, .in_valid_i(fire && !skip), .in_ready_o(record_ready), .in_i(record),
-    .out_valid_o(record_valid), .out_ready_i(out_valid_o && out_ready_i), .out_o(head), .count_o(record_count)
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(fire && !skip),
+    .in_ready_o(record_ready),
+    .in_i(record),
+    .out_valid_o(record_valid),
+    .out_ready_i(out_valid_o && out_ready_i),
+    .out_o(head),
+    .count_o(record_count)
   );
 
   pipegs_fifo #(.DataW(LineW), .Depth(LocalLines)) u_local (
-    .clk_i, .rst_ni, .in_valid_i(answer_valid_i != '0), .in_ready_o(local_ready), .in_i(local_in),
-    .out_valid_o(local_valid), .out_ready_i(pop && !head_ext), .out_o(local_line), .count_o(local_count)
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(answer_valid_i != '0),
+    .in_ready_o(local_ready),
+    .in_i(local_in),
+    .out_valid_o(local_valid),
+    .out_ready_i(pop && !head_ext),
+    .out_o(local_line),
+    .count_o(local_count)
   );
 
   // --- lines from memory --------------------------------------------------------------------------------------------
@@ -196,8 +210,15 @@ module ru_fetch (
     end
 
     pipegs_sram_fifo #(.DataW(LineW), .Depth(FetchLines)) u_external (
-      .clk_i, .rst_ni, .in_valid_i(external_push), .in_ready_o(external_ready), .in_i(external_in),
-      .out_valid_o(external_valid), .out_ready_i(pop && head_ext), .out_o(external_line), .count_o(external_count)
+      .clk_i,
+      .rst_ni,
+      .in_valid_i(external_push),
+      .in_ready_o(external_ready),
+      .in_i(external_in),
+      .out_valid_o(external_valid),
+      .out_ready_i(pop && head_ext),
+      .out_o(external_line),
+      .count_o(external_count)
     );
 
     logic unused_count;
@@ -228,16 +249,29 @@ module ru_fetch (
   always_ff @(posedge clk_i) if (rst_ni) assert (!asked_q[1] || answer_valid_i != '0)
     else $error("ru_fetch: an alpha store did not answer in the second cycle");
   pipegs_stream_check #(.DataW($bits(mem_address_o)), .Proven(1)) u_check_mem (
-    .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i(mem_address_o)
+    .clk_i,
+    .rst_ni,
+    .valid_i(mem_valid_o),
+    .ready_i(mem_ready_i),
+    .beat_i(mem_address_o)
   );
   pipegs_stream_check #(.DataW($bits({out_o, out_line_o})), .Proven(1)) u_check_out (
-    .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i),
+    .clk_i,
+    .rst_ni,
+    .valid_i(out_valid_o),
+    .ready_i(out_ready_i),
     .beat_i({out_o, out_o.kind == pipegs_pkg::KindData ? out_line_o : '0})  // an end has no line
   );
   pipegs_stream_check #(
-    .Ports(pipegs_pkg::Units), .Shared(1), .DataW($bits({read_skip_o, read_address_o}))
+    .Ports(pipegs_pkg::Units),
+    .Shared(1),
+    .DataW($bits({read_skip_o, read_address_o}))
   ) u_check_read (
-    .clk_i, .rst_ni, .valid_i(read_valid_o), .ready_i(read_ready_i), .beat_i({read_skip_o, read_address_o})
+    .clk_i,
+    .rst_ni,
+    .valid_i(read_valid_o),
+    .ready_i(read_ready_i),
+    .beat_i({read_skip_o, read_address_o})
   );
 `endif
 

@@ -75,7 +75,10 @@ module ru_lanes #(
   logic [Lanes-1:0]         outside;
 
   // Cycle 0: the quarter, its word and which of its pixels lie outside the image.
-  ru_slot u_slot (.region_i(in_i.region), .slot_o(slot));
+  ru_slot u_slot (
+    .region_i(in_i.region),
+    .slot_o(slot)
+  );
 
   assign is_data       = in_i.kind == pipegs_pkg::KindData;
   assign issue_o       = in_valid_i && is_data;
@@ -89,7 +92,11 @@ module ru_lanes #(
   assign raddr_o       = AddrW'({slot, quarter_q});
 
   logic [PlaceW-1:0] column, row;
-  ru_place u_place (.region_i(in_i.region), .column_o(column), .row_o(row));
+  ru_place u_place (
+    .region_i(in_i.region),
+    .column_o(column),
+    .row_o(row)
+  );
   always_comb begin
     logic [SideW-1:0] left, top;
     logic [7:0]       columns_out;

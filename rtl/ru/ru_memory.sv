@@ -61,7 +61,11 @@ module ru_memory (
 
 `ifndef SYNTHESIS
   pipegs_stream_check #(.DataW($bits({mem_write_o, mem_address_o, mem_data_o}))) u_check_mem (
-    .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i({mem_write_o, mem_address_o, mem_data_o})
+    .clk_i,
+    .rst_ni,
+    .valid_i(mem_valid_o),
+    .ready_i(mem_ready_i),
+    .beat_i({mem_write_o, mem_address_o, mem_data_o})
   );
 `endif
 

@@ -63,13 +63,33 @@ module ru_resolve #(
   logic               second_q;            // the second request of the word
   logic               word_free, ends;     // ends: the word read is the last one of its region
 
-  ru_own u_own (.unit_i, .own_o(own));
-  pipegs_first_set #(.DataW(Regions)) u_lowest (.mask_i(todo_q), .one_hot_o(lowest), .number_o(next_region));
-  ru_slot u_slot (.region_i(next_region), .slot_o(slot));
+  ru_own u_own (
+    .unit_i,
+    .own_o(own)
+  );
+  pipegs_first_set #(.DataW(Regions)) u_lowest (
+    .mask_i(todo_q),
+    .one_hot_o(lowest),
+    .number_o(next_region)
+  );
+  ru_slot u_slot (
+    .region_i(next_region),
+    .slot_o(slot)
+  );
 
   ru_offset u_offset (
-    .raster_i, .stride_i, .columns_i(columns_q), .rows_i(rows_q), .region_i(next_region), .quarter_i(next_quarter_q),
-    .offset_o(offset), .half_o(half), .wide_o(wide), .shown_o(shown), .two_o(two), .more_o(more)
+    .raster_i,
+    .stride_i,
+    .columns_i(columns_q),
+    .rows_i(rows_q),
+    .region_i(next_region),
+    .quarter_i(next_quarter_q),
+    .offset_o(offset),
+    .half_o(half),
+    .wide_o(wide),
+    .shown_o(shown),
+    .two_o(two),
+    .more_o(more)
   );
 
   assign word_free   = !word_valid_q || ((second_q || !two_q) && mem_ready_i);
@@ -103,10 +123,21 @@ module ru_resolve #(
   localparam logic [WordW-1:0] Fresh = {Lanes'(0), {Lanes{Open}}, (Lanes*3*RgbW)'(0)};
   logic [Lanes*PixelW-1:0] lines;
 
-  ru_pixels u_pixels (.word_i(fresh_i ? Fresh : rdata_i), .raster_i, .lines_o(lines));
+  ru_pixels u_pixels (
+    .word_i(fresh_i ? Fresh : rdata_i),
+    .raster_i,
+    .lines_o(lines)
+  );
   ru_lines u_lines (
-    .raster_i, .stride_i, .first_i(line_q + AddressW'(offset_q)), .half_i(half_q), .second_i(second_q),
-    .lines_i(lines), .address_o(mem_address_o), .halves_o(mem_halves_o), .data_o(mem_data_o)
+    .raster_i,
+    .stride_i,
+    .first_i(line_q + AddressW'(offset_q)),
+    .half_i(half_q),
+    .second_i(second_q),
+    .lines_i(lines),
+    .address_o(mem_address_o),
+    .halves_o(mem_halves_o),
+    .data_o(mem_data_o)
   );
   assign mem_valid_o = word_valid_q;
   assign mem_wide_o  = wide_q;
@@ -117,7 +148,11 @@ module ru_resolve #(
   always_ff @(posedge clk_i) if (rst_ni) assert (!read_o || shown)
     else $error("ru_resolve: a word below the picture is read");
   pipegs_stream_check #(.DataW($bits({mem_address_o, mem_halves_o, mem_data_o}))) u_check_mem (
-    .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i({mem_address_o, mem_halves_o, mem_data_o})
+    .clk_i,
+    .rst_ni,
+    .valid_i(mem_valid_o),
+    .ready_i(mem_ready_i),
+    .beat_i({mem_address_o, mem_halves_o, mem_data_o})
   );
 `endif
 

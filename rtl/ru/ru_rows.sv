@@ -54,7 +54,10 @@ module ru_rows #(
   logic [3*ColorW-1:0]   tag_color;
   logic [$clog2(TagDepth+1)-1:0] tag_count;
 
-  ru_own u_own (.unit_i, .own_o(own));
+  ru_own u_own (
+    .unit_i,
+    .own_o(own)
+  );
 
   assign live       = ends_q == '0 ? splat_q.mask & own & ~done_i : splat_q.mask & own;
   assign is_data    = splat_q.kind == pipegs_pkg::KindData;
@@ -94,20 +97,40 @@ module ru_rows #(
   end
 
   pipegs_fifo #(.DataW(TagW), .Depth(TagDepth)) u_tags (
-    .clk_i, .rst_ni, .in_valid_i(offer && job_ready && is_data), .in_ready_o(tag_room),
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(offer && job_ready && is_data),
+    .in_ready_o(tag_room),
     .in_i({splat_q.blue, splat_q.green, splat_q.red, live}),
-    .out_valid_o(tag_valid), .out_ready_i(tag_pop), .out_o({tag_color, tag_mask}), .count_o(tag_count)
+    .out_valid_o(tag_valid),
+    .out_ready_i(tag_pop),
+    .out_o({tag_color, tag_mask}),
+    .count_o(tag_count)
   );
 
   pu_rows u_rows (
-    .clk_i, .rst_ni, .row_job_valid_i(job_valid), .row_job_ready_o(job_ready), .row_job_i(job),
-    .alphas_valid_o(made_valid), .alphas_ready_i(made_ready), .alphas_o(made), .line_o(made_line),
+    .clk_i,
+    .rst_ni,
+    .row_job_valid_i(job_valid),
+    .row_job_ready_o(job_ready),
+    .row_job_i(job),
+    .alphas_valid_o(made_valid),
+    .alphas_ready_i(made_ready),
+    .alphas_o(made),
+    .line_o(made_line),
     .active_o(rows_active)
   );
 
   pipegs_fifo #(.DataW(pipegs_pkg::AlphasBits + LineW), .Depth(LinesDepth)) u_lines (
-    .clk_i, .rst_ni, .in_valid_i(made_valid), .in_ready_o(made_ready), .in_i({made, made_line}),
-    .out_valid_o(lines_valid), .out_ready_i(out_ready_i), .out_o({alphas, out_line_o}), .count_o(lines_count)
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(made_valid),
+    .in_ready_o(made_ready),
+    .in_i({made, made_line}),
+    .out_valid_o(lines_valid),
+    .out_ready_i(out_ready_i),
+    .out_o({alphas, out_line_o}),
+    .count_o(lines_count)
   );
   assign out_valid_o = lines_valid;
 
@@ -138,7 +161,10 @@ module ru_rows #(
   // An end has no colour and no line: what stands there is that of the splat behind it, as soon as it comes.
   localparam int unsigned BeatW = $bits({out_o, out_line_o});
   pipegs_stream_check #(.DataW($bits(out_o.kind) + BeatW)) u_check_out (
-    .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i),
+    .clk_i,
+    .rst_ni,
+    .valid_i(out_valid_o),
+    .ready_i(out_ready_i),
     .beat_i({out_o.kind, out_o.kind == pipegs_pkg::KindData ? {out_o, out_line_o} : BeatW'(0)})
   );
 `endif

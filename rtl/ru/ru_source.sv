@@ -53,23 +53,62 @@ module ru_source #(
     pipegs_pkg::fetch_t fetch;
 
     ru_walk #(.EndsMax(pipegs_pkg::FetchLines + 16)) u_walk (
-      .clk_i, .rst_ni, .unit_i, .done_i, .window_done_i, .in_valid_i, .in_ready_o, .in_i,
-      .out_valid_o(fetch_valid), .out_ready_i(fetch_ready), .out_o(fetch), .idle_o(walk_idle)
+      .clk_i,
+      .rst_ni,
+      .unit_i,
+      .done_i,
+      .window_done_i,
+      .in_valid_i,
+      .in_ready_o,
+      .in_i,
+      .out_valid_o(fetch_valid),
+      .out_ready_i(fetch_ready),
+      .out_o(fetch),
+      .idle_o(walk_idle)
     );
 
     ru_fetch u_fetch (
-      .clk_i, .rst_ni, .overflow_i,
-      .in_valid_i(fetch_valid), .in_ready_o(fetch_ready), .in_i(fetch),
-      .read_valid_o, .read_ready_i, .read_address_o, .read_skip_o, .answer_valid_i, .answer_i,
-      .mem_valid_o, .mem_ready_i, .mem_address_o, .rsp_valid_i, .rsp_data_i,
-      .out_valid_o, .out_ready_i, .out_o, .out_line_o, .memory_o, .idle_o(fetch_idle)
+      .clk_i,
+      .rst_ni,
+      .overflow_i,
+      .in_valid_i(fetch_valid),
+      .in_ready_o(fetch_ready),
+      .in_i(fetch),
+      .read_valid_o,
+      .read_ready_i,
+      .read_address_o,
+      .read_skip_o,
+      .answer_valid_i,
+      .answer_i,
+      .mem_valid_o,
+      .mem_ready_i,
+      .mem_address_o,
+      .rsp_valid_i,
+      .rsp_data_i,
+      .out_valid_o,
+      .out_ready_i,
+      .out_o,
+      .out_line_o,
+      .memory_o,
+      .idle_o(fetch_idle)
     );
     assign idle_o  = walk_idle && fetch_idle;
     assign waits_o = fetch_valid;
   end else begin : gen_late
     ru_rows u_rows (
-      .clk_i, .rst_ni, .unit_i, .done_i, .window_done_i, .in_valid_i, .in_ready_o, .in_i,
-      .out_valid_o, .out_ready_i, .out_o, .out_line_o, .idle_o
+      .clk_i,
+      .rst_ni,
+      .unit_i,
+      .done_i,
+      .window_done_i,
+      .in_valid_i,
+      .in_ready_o,
+      .in_i,
+      .out_valid_o,
+      .out_ready_i,
+      .out_o,
+      .out_line_o,
+      .idle_o
     );
     assign {read_valid_o, read_address_o, read_skip_o, mem_valid_o, mem_address_o, memory_o, waits_o} = '0;
     logic unused_memory;

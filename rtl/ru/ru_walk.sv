@@ -48,9 +48,19 @@ module ru_walk #(
   logic [RegionW-1:0]  lowest_number;
   logic [RegionW:0]    below_count;
 
-  ru_own u_own (.unit_i, .own_o(own));
-  pipegs_first_set #(.DataW(Regions)) u_lowest (.mask_i(walked), .one_hot_o(lowest), .number_o(lowest_number));
-  ru_count u_count (.mask_i(below_q), .count_o(below_count));
+  ru_own u_own (
+    .unit_i,
+    .own_o(own)
+  );
+  pipegs_first_set #(.DataW(Regions)) u_lowest (
+    .mask_i(walked),
+    .one_hot_o(lowest),
+    .number_o(lowest_number)
+  );
+  ru_count u_count (
+    .mask_i(below_q),
+    .count_o(below_count)
+  );
 
   assign live       = ends_q == '0 ? rest_q & ~done_i : rest_q;
   assign walked     = pipegs_pkg::HasStores && !splat_q.ext ? rest_q : live;
@@ -117,7 +127,11 @@ module ru_walk #(
   always_ff @(posedge clk_i) if (rst_ni) assert (!window_done_i || ends_q != '0)
     else $error("ru_walk: a window ended that never came");
   pipegs_stream_check #(.DataW($bits(out_o)), .Proven(1)) u_check_out (
-    .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i), .beat_i(out_o)
+    .clk_i,
+    .rst_ni,
+    .valid_i(out_valid_o),
+    .ready_i(out_ready_i),
+    .beat_i(out_o)
   );
 `endif
 

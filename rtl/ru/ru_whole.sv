@@ -80,28 +80,77 @@ module ru_whole #(
   logic [WordW-1:0]   blend_rdata, blend_wdata;
 
   ru_source u_source (
-    .clk_i, .rst_ni, .overflow_i, .unit_i, .done_i(done_o), .window_done_i(window_done_o),
-    .in_valid_i, .in_ready_o, .in_i,
-    .read_valid_o, .read_ready_i, .read_address_o, .read_skip_o, .answer_valid_i, .answer_i,
-    .mem_valid_o(load_valid_o), .mem_ready_i(load_ready_i), .mem_address_o(load_address_o), .rsp_valid_i, .rsp_data_i,
-    .out_valid_o(blend_valid), .out_ready_i(blend_ready), .out_o(blend), .out_line_o(line),
-    .memory_o, .waits_o, .idle_o(source_idle)
+    .clk_i,
+    .rst_ni,
+    .overflow_i,
+    .unit_i,
+    .done_i(done_o),
+    .window_done_i(window_done_o),
+    .in_valid_i,
+    .in_ready_o,
+    .in_i,
+    .read_valid_o,
+    .read_ready_i,
+    .read_address_o,
+    .read_skip_o,
+    .answer_valid_i,
+    .answer_i,
+    .mem_valid_o(load_valid_o),
+    .mem_ready_i(load_ready_i),
+    .mem_address_o(load_address_o),
+    .rsp_valid_i,
+    .rsp_data_i,
+    .out_valid_o(blend_valid),
+    .out_ready_i(blend_ready),
+    .out_o(blend),
+    .out_line_o(line),
+    .memory_o,
+    .waits_o,
+    .idle_o(source_idle)
   );
 
   ru_lanes u_lanes (
-    .clk_i, .rst_ni, .restart_i, .in_valid_i(blend_valid), .in_ready_o(blend_ready), .in_i(blend), .in_line_i(line),
-    .columns_i, .rows_i, .done_o(blended),
-    .read_o(blend_read), .raddr_o(blend_raddr), .rdata_i(blend_rdata), .fresh_i(blend_fresh),
-    .write_o(blend_write), .waddr_o(blend_waddr), .wdata_o(blend_wdata),
-    .resolve_ready_i, .layer_done_o, .window_done_o, .issue_o, .busy_o(lanes_busy),
-    .tap_region_o(tap_word_region_o), .tap_quarter_o(tap_word_quarter_o)
+    .clk_i,
+    .rst_ni,
+    .restart_i,
+    .in_valid_i(blend_valid),
+    .in_ready_o(blend_ready),
+    .in_i(blend),
+    .in_line_i(line),
+    .columns_i,
+    .rows_i,
+    .done_o(blended),
+    .read_o(blend_read),
+    .raddr_o(blend_raddr),
+    .rdata_i(blend_rdata),
+    .fresh_i(blend_fresh),
+    .write_o(blend_write),
+    .waddr_o(blend_waddr),
+    .wdata_o(blend_wdata),
+    .resolve_ready_i,
+    .layer_done_o,
+    .window_done_o,
+    .issue_o,
+    .busy_o(lanes_busy),
+    .tap_region_o(tap_word_region_o),
+    .tap_quarter_o(tap_word_quarter_o)
   );
 
   pipegs_pixel_buffer #(.DataW(WordW), .Words(Words)) u_pixels (
-    .clk_i, .rst_ni, .swap_i(window_done_o),
-    .blend_read_i(blend_read), .blend_raddr_i(blend_raddr), .blend_rdata_o(blend_rdata), .blend_fresh_o(blend_fresh),
-    .blend_write_i(blend_write), .blend_waddr_i(blend_waddr), .blend_wdata_i(blend_wdata),
-    .resolve_read_i, .resolve_raddr_i, .resolve_rdata_o, .resolve_fresh_o
+    .clk_i,
+    .rst_ni,
+    .swap_i(window_done_o),
+    .blend_read_i(blend_read),
+    .blend_raddr_i(blend_raddr),
+    .blend_rdata_o(blend_rdata),
+    .blend_fresh_o(blend_fresh),
+    .blend_write_i(blend_write),
+    .blend_waddr_i(blend_waddr),
+    .blend_wdata_i(blend_wdata),
+    .resolve_read_i,
+    .resolve_raddr_i,
+    .resolve_rdata_o,
+    .resolve_fresh_o
   );
 
   assign done_o = own_i & (blended | outside_i);

@@ -62,14 +62,42 @@ module pipegs_su (
   pipegs_pkg::su_mark_t     mark;
 
   su_gather u_gather (
-    .clk_i, .rst_ni, .octave_i, .in_valid_i, .in_ready_o, .in_i,
-    .write_o(write), .slot_o(slot), .record_o(record), .free_i(free), .free_slot_i(free_slot), .empty_o(empty),
-    .chain_valid_o(chain_valid), .chain_ready_i(chain_ready), .chain_o(chain), .split_idle_i(split_idle),
-    .link_o(link), .link_ready_i(link_ready), .link_slot_o(link_slot), .link_to_o(link_to),
-    .mark_valid_o(mark_valid), .mark_o(mark), .mark_first_i(mark_first), .mark_ready_i(mark_ready),
-    .spill_i, .spilling_o, .spill_start_o(spill_start), .spill_valid_o(spill_valid), .spill_ready_i(spill_ready),
-    .spill_ended_o(spill_ended), .spill_done_i(spill_done), .job_valid_i(job_valid), .job_done_o(job_done),
-    .drained_i(drained), .settled_o(settled), .moves_o(gather_moves)
+    .clk_i,
+    .rst_ni,
+    .octave_i,
+    .in_valid_i,
+    .in_ready_o,
+    .in_i,
+    .write_o(write),
+    .slot_o(slot),
+    .record_o(record),
+    .free_i(free),
+    .free_slot_i(free_slot),
+    .empty_o(empty),
+    .chain_valid_o(chain_valid),
+    .chain_ready_i(chain_ready),
+    .chain_o(chain),
+    .split_idle_i(split_idle),
+    .link_o(link),
+    .link_ready_i(link_ready),
+    .link_slot_o(link_slot),
+    .link_to_o(link_to),
+    .mark_valid_o(mark_valid),
+    .mark_o(mark),
+    .mark_first_i(mark_first),
+    .mark_ready_i(mark_ready),
+    .spill_i,
+    .spilling_o,
+    .spill_start_o(spill_start),
+    .spill_valid_o(spill_valid),
+    .spill_ready_i(spill_ready),
+    .spill_ended_o(spill_ended),
+    .spill_done_i(spill_done),
+    .job_valid_i(job_valid),
+    .job_done_o(job_done),
+    .drained_i(drained),
+    .settled_o(settled),
+    .moves_o(gather_moves)
   );
 
   // --- the stores ---------------------------------------------------------------------------------------------------
@@ -80,11 +108,26 @@ module pipegs_su (
   pipegs_pkg::su_external_t external;
 
   su_stores u_stores (
-    .clk_i, .write_i(write), .slot_i(slot), .record_i(record), .external_i(external),
-    .link_i(link), .link_ready_o(link_ready), .link_slot_i(link_slot), .link_to_i(link_to),
-    .split_claim_i(sort_claim), .split_link_i(sort_write), .split_link_slot_i(sort_write_slot),
-    .split_link_to_i(sort_write_link), .split_read_i(sort_read), .split_slot_i(sort_slot), .split_key_o(stored_key),
-    .split_link_o(stored_link), .payload_read_i(payload_read), .payload_slot_i(payload_slot), .payload_o(payload)
+    .clk_i,
+    .write_i(write),
+    .slot_i(slot),
+    .record_i(record),
+    .external_i(external),
+    .link_i(link),
+    .link_ready_o(link_ready),
+    .link_slot_i(link_slot),
+    .link_to_i(link_to),
+    .split_claim_i(sort_claim),
+    .split_link_i(sort_write),
+    .split_link_slot_i(sort_write_slot),
+    .split_link_to_i(sort_write_link),
+    .split_read_i(sort_read),
+    .split_slot_i(sort_slot),
+    .split_key_o(stored_key),
+    .split_link_o(stored_link),
+    .payload_read_i(payload_read),
+    .payload_slot_i(payload_slot),
+    .payload_o(payload)
   );
 
   // --- chains -> sorted keys ----------------------------------------------------------------------------------------
@@ -93,12 +136,28 @@ module pipegs_su (
   pipegs_pkg::su_item_t     sorted, item;
 
   su_sort u_sort (
-    .clk_i, .rst_ni, .octave_i, .chain_valid_i(chain_valid), .chain_ready_o(chain_ready), .chain_i(chain),
-    .group_valid_i(group_valid), .group_i(group),
-    .read_o(sort_read), .slot_o(sort_slot), .key_i(stored_key), .link_i(stored_link),
-    .claim_o(sort_claim), .write_o(sort_write), .write_slot_o(sort_write_slot), .write_link_o(sort_write_link),
-    .item_valid_o(sorted_valid), .item_ready_i(item_ready), .item_o(sorted),
-    .split_idle_o(split_idle), .idle_o(sort_idle), .moves_o(sort_moves)
+    .clk_i,
+    .rst_ni,
+    .octave_i,
+    .chain_valid_i(chain_valid),
+    .chain_ready_o(chain_ready),
+    .chain_i(chain),
+    .group_valid_i(group_valid),
+    .group_i(group),
+    .read_o(sort_read),
+    .slot_o(sort_slot),
+    .key_i(stored_key),
+    .link_i(stored_link),
+    .claim_o(sort_claim),
+    .write_o(sort_write),
+    .write_slot_o(sort_write_slot),
+    .write_link_o(sort_write_link),
+    .item_valid_o(sorted_valid),
+    .item_ready_i(item_ready),
+    .item_o(sorted),
+    .split_idle_o(split_idle),
+    .idle_o(sort_idle),
+    .moves_o(sort_moves)
   );
 
   // --- sorted keys -> splats ----------------------------------------------------------------------------------------
@@ -115,16 +174,45 @@ module pipegs_su (
   assign item       = merged_valid ? {1'b0, merged_key, merged_slot} : sorted;
 
   su_output u_output (
-    .clk_i, .rst_ni, .octave_i, .item_valid_i(item_valid), .item_ready_o(item_ready), .item_i(item),
-    .merged_valid_i(merged_valid), .merged_key_i(merged_key), .spilled_i(spilled), .keep_i(keep),
-    .all_sent_i(all_sent), .external_i(external),
-    .mark_valid_i(mark_valid), .mark_i(mark), .mark_first_o(mark_first), .mark_ready_o(mark_ready), .done_o(spill_done),
-    .kept_valid_o(kept_valid), .kept_ready_i(kept_ready), .kept_number_o(kept_number),
-    .read_valid_o(read_valid), .read_ready_i(read_ready), .read_line_o(read_line),
-    .line_valid_i(line_valid), .line_ready_o(line_ready), .line_i(line),
-    .record_read_o(payload_read), .record_slot_o(payload_slot), .record_i(payload), .free_o(free),
-    .free_slot_o(free_slot), .divert_i(divert), .back_valid_o(back_valid), .back_ready_i(back_ready),
-    .out_valid_o, .out_ready_i, .out_o, .empty_o(output_empty), .moves_o(output_moves)
+    .clk_i,
+    .rst_ni,
+    .octave_i,
+    .item_valid_i(item_valid),
+    .item_ready_o(item_ready),
+    .item_i(item),
+    .merged_valid_i(merged_valid),
+    .merged_key_i(merged_key),
+    .spilled_i(spilled),
+    .keep_i(keep),
+    .all_sent_i(all_sent),
+    .external_i(external),
+    .mark_valid_i(mark_valid),
+    .mark_i(mark),
+    .mark_first_o(mark_first),
+    .mark_ready_o(mark_ready),
+    .done_o(spill_done),
+    .kept_valid_o(kept_valid),
+    .kept_ready_i(kept_ready),
+    .kept_number_o(kept_number),
+    .read_valid_o(read_valid),
+    .read_ready_i(read_ready),
+    .read_line_o(read_line),
+    .line_valid_i(line_valid),
+    .line_ready_o(line_ready),
+    .line_i(line),
+    .record_read_o(payload_read),
+    .record_slot_o(payload_slot),
+    .record_i(payload),
+    .free_o(free),
+    .free_slot_o(free_slot),
+    .divert_i(divert),
+    .back_valid_o(back_valid),
+    .back_ready_i(back_ready),
+    .out_valid_o,
+    .out_ready_i,
+    .out_o,
+    .empty_o(output_empty),
+    .moves_o(output_moves)
   );
   assign drained = settled && sort_idle && output_empty;
 
@@ -133,18 +221,58 @@ module pipegs_su (
 
   if (pipegs_pkg::Overflow != 0) begin : gen_overflow
     su_overflow u_overflow (
-      .clk_i, .rst_ni, .overflow_i, .unit_i, .start_i(spill_start), .drained_i(drained), .empty_i(empty),
-      .ended_i(spill_ended), .done_i(spill_done), .job_valid_o(job_valid), .job_done_i(job_done), .divert_o(divert),
-      .spilled_o(spilled), .keep_o(keep), .sent_o(all_sent), .record_valid_i(spill_valid),
-      .record_ready_o(spill_ready), .record_i(record), .back_valid_i(back_valid), .back_ready_o(back_ready),
-      .back_i(out_o), .external_o(external), .key_i(stored_key), .group_valid_o(group_valid), .group_o(group),
-      .item_valid_o(merged_valid), .item_ready_i(item_ready), .item_key_o(merged_key), .item_slot_o(merged_slot),
-      .kept_valid_i(kept_valid), .kept_ready_o(kept_ready), .kept_key_i(item.key),
-      .kept_number_i(kept_number), .read_valid_i(read_valid), .read_ready_o(read_ready), .read_line_i(read_line),
-      .line_valid_o(line_valid), .line_ready_i(line_ready), .line_o(line),
-      .mem_valid_o, .mem_ready_i, .mem_write_o, .mem_address_o, .mem_data_o, .rsp_valid_i, .rsp_data_i,
-      .full_o, .full_line_o, .written_o(overflow_o), .waits_o(port_waits),
-      .moves_o(overflow_moves), .active_o(port_active)
+      .clk_i,
+      .rst_ni,
+      .overflow_i,
+      .unit_i,
+      .start_i(spill_start),
+      .drained_i(drained),
+      .empty_i(empty),
+      .ended_i(spill_ended),
+      .done_i(spill_done),
+      .job_valid_o(job_valid),
+      .job_done_i(job_done),
+      .divert_o(divert),
+      .spilled_o(spilled),
+      .keep_o(keep),
+      .sent_o(all_sent),
+      .record_valid_i(spill_valid),
+      .record_ready_o(spill_ready),
+      .record_i(record),
+      .back_valid_i(back_valid),
+      .back_ready_o(back_ready),
+      .back_i(out_o),
+      .external_o(external),
+      .key_i(stored_key),
+      .group_valid_o(group_valid),
+      .group_o(group),
+      .item_valid_o(merged_valid),
+      .item_ready_i(item_ready),
+      .item_key_o(merged_key),
+      .item_slot_o(merged_slot),
+      .kept_valid_i(kept_valid),
+      .kept_ready_o(kept_ready),
+      .kept_key_i(item.key),
+      .kept_number_i(kept_number),
+      .read_valid_i(read_valid),
+      .read_ready_o(read_ready),
+      .read_line_i(read_line),
+      .line_valid_o(line_valid),
+      .line_ready_i(line_ready),
+      .line_o(line),
+      .mem_valid_o,
+      .mem_ready_i,
+      .mem_write_o,
+      .mem_address_o,
+      .mem_data_o,
+      .rsp_valid_i,
+      .rsp_data_i,
+      .full_o,
+      .full_line_o,
+      .written_o(overflow_o),
+      .waits_o(port_waits),
+      .moves_o(overflow_moves),
+      .active_o(port_active)
     );
   end else begin : gen_room
     assign {job_valid, divert, spilled, keep, all_sent, spill_ready, kept_ready, back_ready, group_valid} = '0;
@@ -177,7 +305,11 @@ module pipegs_su (
   always_ff @(posedge clk_i) if (rst_ni) assert (!external.read || !sort_read);
   always_ff @(posedge clk_i) if (rst_ni) assert (!merged_valid || !sorted_valid);
   pipegs_stream_check #(.DataW($bits(item))) u_check_item (
-    .clk_i, .rst_ni, .valid_i(item_valid), .ready_i(item_ready), .beat_i(item)
+    .clk_i,
+    .rst_ni,
+    .valid_i(item_valid),
+    .ready_i(item_ready),
+    .beat_i(item)
   );
 `endif
 

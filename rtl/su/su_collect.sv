@@ -115,13 +115,25 @@ module su_collect (
   always_ff @(posedge clk_i) if (rst_ni) assert (pipegs_pkg::Overflow != 0 || !lost)
     else $error("su_collect: the records of a set do not fit, and Overflow is 0");
   pipegs_stream_check #(.DataW($bits(set_o))) u_check_insert (
-    .clk_i, .rst_ni, .valid_i(insert_valid_o), .ready_i(insert_ready_i), .beat_i(set_o)
+    .clk_i,
+    .rst_ni,
+    .valid_i(insert_valid_o),
+    .ready_i(insert_ready_i),
+    .beat_i(set_o)
   );
   pipegs_stream_check #(.DataW($bits({mark_all_o, spilled_o}))) u_check_mark (
-    .clk_i, .rst_ni, .valid_i(mark_valid_o), .ready_i(mark_ready_i), .beat_i({mark_all_o, spilled_o})
+    .clk_i,
+    .rst_ni,
+    .valid_i(mark_valid_o),
+    .ready_i(mark_ready_i),
+    .beat_i({mark_all_o, spilled_o})
   );
   pipegs_stream_check u_check_record (
-    .clk_i, .rst_ni, .valid_i(record_valid_o), .ready_i(record_ready_i), .beat_i(1'b0)
+    .clk_i,
+    .rst_ni,
+    .valid_i(record_valid_o),
+    .ready_i(record_ready_i),
+    .beat_i(1'b0)
   );
 `else
   logic unused_bucket;

@@ -64,8 +64,13 @@ module su_emit (
   logic [NumberW-1:0] number, read_line_q;
   if (pipegs_pkg::Overflow != 0) begin : gen_numbers
     pipegs_sram #(.DataW(NumberW), .Depth(pipegs_pkg::Records)) u_numbers (
-      .clk_i, .write_i(number_write_i), .waddr_i(number_slot_i), .wdata_i(number_i),
-      .read_i(look), .raddr_i(item_slot_i), .rdata_o(number)
+      .clk_i,
+      .write_i(number_write_i),
+      .waddr_i(number_slot_i),
+      .wdata_i(number_i),
+      .read_i(look),
+      .raddr_i(item_slot_i),
+      .rdata_o(number)
     );
   end else begin : gen_no_numbers
     assign number = '0;
@@ -96,9 +101,14 @@ module su_emit (
 
   assign entry = {item_end_i ? item_slot_i[KindW-1:0] : pipegs_pkg::KindData, outside, item_slot_i, item_key_i};
   pipegs_sram_fifo #(.DataW(EntryW), .Depth(pipegs_pkg::SuWaiting)) u_waiting (
-    .clk_i, .rst_ni,
-    .in_valid_i(item_go && !(keep_i && outside)), .in_ready_o(queue_ready), .in_i(entry),
-    .out_valid_o(head_valid), .out_ready_i(head_ready), .out_o(head),
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(item_go && !(keep_i && outside)),
+    .in_ready_o(queue_ready),
+    .in_i(entry),
+    .out_valid_o(head_valid),
+    .out_ready_i(head_ready),
+    .out_o(head),
     .count_o(waiting)
   );
   assign {head_kind, head_outside, head_slot, head_key} = head;
@@ -149,13 +159,25 @@ module su_emit (
 
 `ifndef SYNTHESIS
   pipegs_stream_check #(.DataW($bits(kept_number_o))) u_check_kept (
-    .clk_i, .rst_ni, .valid_i(kept_valid_o), .ready_i(kept_ready_i), .beat_i(kept_number_o)
+    .clk_i,
+    .rst_ni,
+    .valid_i(kept_valid_o),
+    .ready_i(kept_ready_i),
+    .beat_i(kept_number_o)
   );
   pipegs_stream_check #(.DataW($bits(out_o))) u_check_out (
-    .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i), .beat_i(out_o)
+    .clk_i,
+    .rst_ni,
+    .valid_i(out_valid_o),
+    .ready_i(out_ready_i),
+    .beat_i(out_o)
   );
   pipegs_stream_check #(.DataW($bits(read_line_o))) u_check_read (
-    .clk_i, .rst_ni, .valid_i(read_valid_o), .ready_i(read_ready_i), .beat_i(read_line_o)
+    .clk_i,
+    .rst_ni,
+    .valid_i(read_valid_o),
+    .ready_i(read_ready_i),
+    .beat_i(read_line_o)
   );
 `endif
 

@@ -64,34 +64,95 @@ module su_gather #(
   logic               released, released_set;
 
   pipegs_skid #(.DataW(pipegs_pkg::SplatBits)) u_in (
-    .clk_i, .rst_ni, .in_valid_i, .in_ready_o, .in_i, .out_valid_o(valid), .out_ready_i(ready), .out_o(record_o)
+    .clk_i,
+    .rst_ni,
+    .in_valid_i,
+    .in_ready_o,
+    .in_i,
+    .out_valid_o(valid),
+    .out_ready_i(ready),
+    .out_o(record_o)
   );
-  su_bucket u_bucket (.octave_i, .depth_i(record_o.depth), .bucket_o(bucket));
+  su_bucket u_bucket (
+    .octave_i,
+    .depth_i(record_o.depth),
+    .bucket_o(bucket)
+  );
 
   pipegs_slot_pool #(.Slots(pipegs_pkg::Records)) u_slots (
-    .clk_i, .rst_ni, .slot_valid_o(slot_valid), .slot_ready_i(write_o), .slot_o, .free_i, .free_slot_i,
-    .used_o(used), .active_o(pool_active)
+    .clk_i,
+    .rst_ni,
+    .slot_valid_o(slot_valid),
+    .slot_ready_i(write_o),
+    .slot_o,
+    .free_i,
+    .free_slot_i,
+    .used_o(used),
+    .active_o(pool_active)
   );
   assign empty_o = used == '0;
 
   su_collect u_collect (
-    .clk_i, .rst_ni, .in_valid_i(valid), .in_ready_o(ready), .in_kind_i(record_o.kind), .in_bucket_i(bucket),
-    .slot_valid_i(slot_valid), .insert_valid_o(insert_valid), .insert_ready_i(insert_ready), .set_o(set), .write_o,
-    .record_valid_o(spill_valid_o), .record_ready_i(spill_ready_i),
-    .mark_valid_o(mark_push), .mark_ready_i(mark_room), .mark_all_o(mark_all), .spilled_o(mark_spills),
-    .released_i(released), .released_set_i(released_set), .full_i(used == (RecordW+1)'(pipegs_pkg::Records)),
-    .drained_i, .spill_i, .spill_start_o, .spilling_o, .ended_o(spill_ended_o), .spill_done_i,
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(valid),
+    .in_ready_o(ready),
+    .in_kind_i(record_o.kind),
+    .in_bucket_i(bucket),
+    .slot_valid_i(slot_valid),
+    .insert_valid_o(insert_valid),
+    .insert_ready_i(insert_ready),
+    .set_o(set),
+    .write_o,
+    .record_valid_o(spill_valid_o),
+    .record_ready_i(spill_ready_i),
+    .mark_valid_o(mark_push),
+    .mark_ready_i(mark_room),
+    .mark_all_o(mark_all),
+    .spilled_o(mark_spills),
+    .released_i(released),
+    .released_set_i(released_set),
+    .full_i(used == (RecordW+1)'(pipegs_pkg::Records)),
+    .drained_i,
+    .spill_i,
+    .spill_start_o,
+    .spilling_o,
+    .ended_o(spill_ended_o),
+    .spill_done_i,
     .active_o(collect_active)
   );
 
   su_release u_release (
-    .clk_i, .rst_ni, .insert_valid_i(insert_valid), .insert_ready_o(insert_ready), .set_i(set), .bucket_i(bucket),
-    .slot_i(slot_o), .mark_valid_i(mark_push), .mark_ready_o(mark_room), .mark_all_i(mark_all),
-    .mark_spills_i(mark_spills), .mark_kind_i(record_o.kind), .spill_job_i(job_valid_i), .job_done_o,
-    .released_o(released), .released_set_o(released_set),
-    .head_valid_o(mark_valid_o), .head_o(mark_o), .head_first_i(mark_first_i), .head_ready_i(mark_ready_i),
-    .chain_valid_o, .chain_ready_i, .chain_o, .split_idle_i,
-    .link_o, .link_ready_i, .link_slot_o, .link_to_o, .settled_o, .moves_o(release_moves)
+    .clk_i,
+    .rst_ni,
+    .insert_valid_i(insert_valid),
+    .insert_ready_o(insert_ready),
+    .set_i(set),
+    .bucket_i(bucket),
+    .slot_i(slot_o),
+    .mark_valid_i(mark_push),
+    .mark_ready_o(mark_room),
+    .mark_all_i(mark_all),
+    .mark_spills_i(mark_spills),
+    .mark_kind_i(record_o.kind),
+    .spill_job_i(job_valid_i),
+    .job_done_o,
+    .released_o(released),
+    .released_set_o(released_set),
+    .head_valid_o(mark_valid_o),
+    .head_o(mark_o),
+    .head_first_i(mark_first_i),
+    .head_ready_i(mark_ready_i),
+    .chain_valid_o,
+    .chain_ready_i,
+    .chain_o,
+    .split_idle_i,
+    .link_o,
+    .link_ready_i,
+    .link_slot_o,
+    .link_to_o,
+    .settled_o,
+    .moves_o(release_moves)
   );
 
   assign moves_o = collect_active || pool_active || release_moves;

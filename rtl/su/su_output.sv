@@ -64,7 +64,11 @@ module su_output #(
   logic valid, emit_ready, emit_valid, sends;
   logic [pipegs_pkg::BucketW-1:0] bucket;  // of the key
 
-  su_bucket u_bucket (.octave_i, .depth_i(merged_key_i[KeyW-1 -: pipegs_pkg::DepthW]), .bucket_o(bucket));
+  su_bucket u_bucket (
+    .octave_i,
+    .depth_i(merged_key_i[KeyW-1 -: pipegs_pkg::DepthW]),
+    .bucket_o(bucket)
+  );
 
   assign sends        = spilled_i && !keep_i;
   assign mark_first_o = sends && mark_valid_i && ((all_sent_i && !item_valid_i) ||
@@ -75,15 +79,37 @@ module su_output #(
   assign item_ready_o = emit_ready && !mark_first_o && (!sends || mark_valid_i);
 
   su_emit u_emit (
-    .clk_i, .rst_ni, .item_valid_i(emit_valid), .item_ready_o(emit_ready), .item_end_i(mark_first_o || item_i.is_end),
-    .item_key_i(item_i.key), .item_slot_i(mark_first_o ? RecordW'(mark_i.kind) : item_i.slot),
-    .spilled_i, .keep_i,
-    .number_write_i(external_i.write), .number_slot_i(external_i.slot), .number_i(external_i.number),
-    .kept_valid_o, .kept_ready_i, .kept_number_o, .read_valid_o, .read_ready_i, .read_line_o,
-    .line_valid_i, .line_ready_o, .line_i,
-    .record_read_o, .record_slot_o, .record_i,
-    .out_valid_o(valid), .out_ready_i(divert_i ? back_ready_i : out_ready_i), .out_o,
-    .free_o, .free_slot_o, .empty_o, .active_o(moves_o)
+    .clk_i,
+    .rst_ni,
+    .item_valid_i(emit_valid),
+    .item_ready_o(emit_ready),
+    .item_end_i(mark_first_o || item_i.is_end),
+    .item_key_i(item_i.key),
+    .item_slot_i(mark_first_o ? RecordW'(mark_i.kind) : item_i.slot),
+    .spilled_i,
+    .keep_i,
+    .number_write_i(external_i.write),
+    .number_slot_i(external_i.slot),
+    .number_i(external_i.number),
+    .kept_valid_o,
+    .kept_ready_i,
+    .kept_number_o,
+    .read_valid_o,
+    .read_ready_i,
+    .read_line_o,
+    .line_valid_i,
+    .line_ready_o,
+    .line_i,
+    .record_read_o,
+    .record_slot_o,
+    .record_i,
+    .out_valid_o(valid),
+    .out_ready_i(divert_i ? back_ready_i : out_ready_i),
+    .out_o,
+    .free_o,
+    .free_slot_o,
+    .empty_o,
+    .active_o(moves_o)
   );
   assign back_valid_o = valid && divert_i;
   assign out_valid_o  = valid && !divert_i;
@@ -93,13 +119,25 @@ module su_output #(
 
 `ifndef SYNTHESIS
   pipegs_stream_check u_check_back (
-    .clk_i, .rst_ni, .valid_i(back_valid_o), .ready_i(back_ready_i), .beat_i(1'b0)
+    .clk_i,
+    .rst_ni,
+    .valid_i(back_valid_o),
+    .ready_i(back_ready_i),
+    .beat_i(1'b0)
   );
   pipegs_stream_check #(.DataW($bits(out_o))) u_check_out (
-    .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i), .beat_i(out_o)
+    .clk_i,
+    .rst_ni,
+    .valid_i(out_valid_o),
+    .ready_i(out_ready_i),
+    .beat_i(out_o)
   );
   pipegs_stream_check u_check_item (
-    .clk_i, .rst_ni, .valid_i(emit_valid), .ready_i(emit_ready), .beat_i(1'b0)
+    .clk_i,
+    .rst_ni,
+    .valid_i(emit_valid),
+    .ready_i(emit_ready),
+    .beat_i(1'b0)
   );
 `endif
 

@@ -131,15 +131,26 @@ module su_port #(
                           (owners != '0 && !owner_valid);
 
   pipegs_sram_fifo #(.DataW(pipegs_pkg::MemoryW), .Depth(Answers)) u_answers (
-    .clk_i, .rst_ni,
-    .in_valid_i(rsp_valid_i), .in_ready_o(unused_queue_ready), .in_i(rsp_data_i),
-    .out_valid_o(line_valid_o), .out_ready_i(line_ready_i), .out_o(line_o),
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(rsp_valid_i),
+    .in_ready_o(unused_queue_ready),
+    .in_i(rsp_data_i),
+    .out_valid_o(line_valid_o),
+    .out_ready_i(line_ready_i),
+    .out_o(line_o),
     .count_o(stored)
   );
   pipegs_sram_fifo #(.DataW(1 + WayW), .Depth(Answers)) u_owners (
-    .clk_i, .rst_ni,
-    .in_valid_i(asked), .in_ready_o(unused_owner_ready), .in_i({fetch_ready_o, fetch_way_i}),
-    .out_valid_o(owner_valid), .out_ready_i(used), .out_o({line_fetch_o, line_way_o}), .count_o(owners)
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(asked),
+    .in_ready_o(unused_owner_ready),
+    .in_i({fetch_ready_o, fetch_way_i}),
+    .out_valid_o(owner_valid),
+    .out_ready_i(used),
+    .out_o({line_fetch_o, line_way_o}),
+    .count_o(owners)
   );
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -169,7 +180,10 @@ module su_port #(
   always_ff @(posedge clk_i) if (rst_ni) assert (!asked || unused_owner_ready);
   always_ff @(posedge clk_i) if (rst_ni) assert (!line_valid_o || owner_valid);
   pipegs_stream_check #(.DataW($bits({mem_write_o, mem_address_o, mem_data_o})), .Proven(1)) u_check_mem (
-    .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i),
+    .clk_i,
+    .rst_ni,
+    .valid_i(mem_valid_o),
+    .ready_i(mem_ready_i),
     .beat_i({mem_write_o, mem_address_o, mem_write_o ? mem_data_o : '0})  // a read has no data
   );
 `endif

@@ -64,31 +64,57 @@ module su_release #(
   logic [$clog2(Chains+1)-1:0] chains;
 
   pipegs_sram_fifo #(.DataW(3 + KindW + BucketW), .Depth(Marks)) u_marks (
-    .clk_i, .rst_ni, .in_valid_i(mark_valid_i), .in_ready_o(mark_ready_o),
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(mark_valid_i),
+    .in_ready_o(mark_ready_o),
     .in_i({set_i, mark_all_i, mark_spills_i, mark_kind_i, bucket_i}),
-    .out_valid_o(head_valid_o), .out_ready_i(head_first_i ? head_ready_i : job_done_o && !spill_job_i),
-    .out_o({head_set, head_all, head_spills, head_kind, head_bucket}), .count_o(marks)
+    .out_valid_o(head_valid_o),
+    .out_ready_i(head_first_i ? head_ready_i : job_done_o && !spill_job_i),
+    .out_o({head_set, head_all, head_spills, head_kind, head_bucket}),
+    .count_o(marks)
   );
   assign head_o = {head_all, head_kind, head_bucket};
   assign waits = head_valid_o && !head_spills;
 
   su_buckets u_buckets (
-    .clk_i, .rst_ni,
-    .insert_valid_i, .insert_ready_o, .insert_set_i(set_i), .insert_bucket_i(bucket_i), .insert_slot_i(slot_i),
-    .job_valid_i(spill_job_i || waits), .job_done_o, .job_set_i(spill_job_i ? set_i : head_set),
-    .job_all_i(spill_job_i || head_all), .job_bucket_i(head_bucket),
+    .clk_i,
+    .rst_ni,
+    .insert_valid_i,
+    .insert_ready_o,
+    .insert_set_i(set_i),
+    .insert_bucket_i(bucket_i),
+    .insert_slot_i(slot_i),
+    .job_valid_i(spill_job_i || waits),
+    .job_done_o,
+    .job_set_i(spill_job_i ? set_i : head_set),
+    .job_all_i(spill_job_i || head_all),
+    .job_bucket_i(head_bucket),
     .job_kind_i(spill_job_i ? pipegs_pkg::KindData : head_kind),
-    .chain_push_o(released), .chain_room_i(released_room), .chain_kind_o(released_kind),
-    .chain_head_o(released_head), .chain_count_o(released_count), .chain_bucket_o(released_bucket),
+    .chain_push_o(released),
+    .chain_room_i(released_room),
+    .chain_kind_o(released_kind),
+    .chain_head_o(released_head),
+    .chain_count_o(released_count),
+    .chain_bucket_o(released_bucket),
     .hungry_i(chains == '0 && split_idle_i),
-    .link_write_o(link_o), .link_ready_i, .link_slot_o, .link_o(link_to_o), .active_o(buckets_active)
+    .link_write_o(link_o),
+    .link_ready_i,
+    .link_slot_o,
+    .link_o(link_to_o),
+    .active_o(buckets_active)
   );
 
   pipegs_sram_fifo #(.DataW(KindW + BucketW + RecordW + RecordW + 1), .Depth(Chains)) u_chains (
-    .clk_i, .rst_ni, .in_valid_i(released), .in_ready_o(released_room),
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(released),
+    .in_ready_o(released_room),
     .in_i({released_kind, released_bucket, released_head, released_count}),
-    .out_valid_o(chain_valid_o), .out_ready_i(chain_ready_i),
-    .out_o(chain_o), .count_o(chains)
+    .out_valid_o(chain_valid_o),
+    .out_ready_i(chain_ready_i),
+    .out_o(chain_o),
+    .count_o(chains)
   );
 
   assign released_o     = job_done_o && !spill_job_i && head_all;

@@ -81,8 +81,19 @@ module su_spill (
   assign part         = number_q[PartW-1:0];
   assign last_part    = part == PartW'(KeysPerLine - 1);
 
-  su_key u_key (.splat_i(record_o), .key_o(key));
-  su_minmax u_minmax (.clk_i, .rst_ni, .clear_i(start_i), .valid_i(record_ready_i), .key_i(key), .min_o, .max_o);
+  su_key u_key (
+    .splat_i(record_o),
+    .key_o(key)
+  );
+  su_minmax u_minmax (
+    .clk_i,
+    .rst_ni,
+    .clear_i(start_i),
+    .valid_i(record_ready_i),
+    .key_i(key),
+    .min_o,
+    .max_o
+  );
 
   assign job_valid_o    = state_q == Release;
   assign divert_o       = state_q == Release || state_q == Drain;
@@ -138,10 +149,18 @@ module su_spill (
   always_ff @(posedge clk_i) if (rst_ni) assert (!close || !shown);
   always_ff @(posedge clk_i) if (rst_ni) assert (!start_i || state_q == Idle);
   pipegs_stream_check #(.DataW($bits({keys_line_o, keys_o}))) u_check_keys (
-    .clk_i, .rst_ni, .valid_i(keys_valid_o), .ready_i(keys_ready_i), .beat_i({keys_line_o, keys_o})
+    .clk_i,
+    .rst_ni,
+    .valid_i(keys_valid_o),
+    .ready_i(keys_ready_i),
+    .beat_i({keys_line_o, keys_o})
   );
   pipegs_stream_check #(.DataW($bits({record_line_o, record_o}))) u_check_record (
-    .clk_i, .rst_ni, .valid_i(record_valid_o), .ready_i(record_ready_i), .beat_i({record_line_o, record_o})
+    .clk_i,
+    .rst_ni,
+    .valid_i(record_valid_o),
+    .ready_i(record_ready_i),
+    .beat_i({record_line_o, record_o})
   );
 `endif
 

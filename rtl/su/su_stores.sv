@@ -44,14 +44,19 @@ module su_stores #(
   logic [KeyW-1:0]     key;
   logic [PayloadW-1:0] payload;
   assign payload      = PayloadW'({record_i} >> (pipegs_pkg::KindW + KeyW));
-  su_key u_key (.splat_i(record_i), .key_o(key));
+  su_key u_key (
+    .splat_i(record_i),
+    .key_o(key)
+  );
   assign link_ready_o = !split_claim_i;
 
   pipegs_sram #(.DataW(KeyW), .Depth(pipegs_pkg::Records)) u_keys (
     .clk_i,
-    .write_i(external_i.write || write_i), .waddr_i(external_i.write ? external_i.slot : slot_i),
+    .write_i(external_i.write || write_i),
+    .waddr_i(external_i.write ? external_i.slot : slot_i),
     .wdata_i(external_i.write ? external_i.key : key),
-    .read_i(split_read_i || external_i.read), .raddr_i(external_i.read ? external_i.read_slot : split_slot_i),
+    .read_i(split_read_i || external_i.read),
+    .raddr_i(external_i.read ? external_i.read_slot : split_slot_i),
     .rdata_o(split_key_o)
   );
   pipegs_sram #(.DataW(RecordW), .Depth(pipegs_pkg::Records)) u_links (
@@ -59,11 +64,18 @@ module su_stores #(
     .write_i(split_link_i || external_i.write || (link_i && link_ready_o)),
     .waddr_i(split_link_i ? split_link_slot_i : external_i.write ? external_i.slot : link_slot_i),
     .wdata_i(split_link_i ? split_link_to_i : external_i.write ? external_i.slot - 1'b1 : link_to_i),
-    .read_i(split_read_i), .raddr_i(split_slot_i), .rdata_o(split_link_o)
+    .read_i(split_read_i),
+    .raddr_i(split_slot_i),
+    .rdata_o(split_link_o)
   );
   pipegs_sram #(.DataW(PayloadW), .Depth(pipegs_pkg::Records)) u_records (
-    .clk_i, .write_i, .waddr_i(slot_i), .wdata_i(payload),
-    .read_i(payload_read_i), .raddr_i(payload_slot_i), .rdata_o(payload_o)
+    .clk_i,
+    .write_i,
+    .waddr_i(slot_i),
+    .wdata_i(payload),
+    .read_i(payload_read_i),
+    .raddr_i(payload_slot_i),
+    .rdata_o(payload_o)
   );
 
   logic unused;  // the kind, and the number of a key that comes back

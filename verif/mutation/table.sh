@@ -149,7 +149,7 @@ mutant pu_deal "a Gaussian waits for a PU's ready" 's/out_room_i & ~waiting_q/ou
 mutant pu_deal "an end goes to one PU only" "s/(if \(take_end\) waiting_q <= )'1/\11/"
 mutant pu_deal "the turn goes on while nothing is dealt" \
        "s/(else if \()take_data\) last_q/\1room != '0) last_q/"
-mutant pu_regions "a Gaussian that dies leaves its payload in the queue" 's/drop \|\| go\), \.out_o/go), .out_o/'
+mutant pu_regions "a Gaussian that dies leaves its payload in the queue" 's/(out_ready_i.)drop \|\| go/\1go/'
 mutant pu_payload "whoever leaves shows the first word" "s/head_q == Last \? '0 : head_q \+ 1'b1/head_q/" pu_regions
 mutant pu_turns "the output takes what is not inside" 's/(leave_o *= move_o) \&\& inside_q/\1/' pu_conic
 

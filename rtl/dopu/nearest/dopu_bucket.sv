@@ -102,15 +102,22 @@ module dopu_bucket #(
 
   pipegs_sram #(.DataW(NodeW), .Depth(Lists * Buckets)) u_heads (
     .clk_i,
-    .write_i(state_q == Insert || (out_valid_o && out_more)), .waddr_i({list_q, bucket_q}),
+    .write_i(state_q == Insert || (out_valid_o && out_more)),
+    .waddr_i({list_q, bucket_q}),
     .wdata_i(state_q == Insert ? place_q : out_next),
-    .read_i(take_pop || take_insert), .raddr_i({list_d, bucket_d}), .rdata_o(head)
+    .read_i(take_pop || take_insert),
+    .raddr_i({list_d, bucket_d}),
+    .rdata_o(head)
   );
 
   pipegs_sram #(.DataW(DataW + NodeW + 1), .Depth(Nodes)) u_nodes (
     .clk_i,
-    .write_i(state_q == Insert), .waddr_i(place_q), .wdata_i({more, head, data_q}),
-    .read_i(state_q == Fetch), .raddr_i(head), .rdata_o({out_more, out_next, out_data_o})
+    .write_i(state_q == Insert),
+    .waddr_i(place_q),
+    .wdata_i({more, head, data_q}),
+    .read_i(state_q == Fetch),
+    .raddr_i(head),
+    .rdata_o({out_more, out_next, out_data_o})
   );
 
   // --- which chains there are, and the first of each list -----------------------------------------------------------
@@ -137,16 +144,26 @@ module dopu_bucket #(
     others[at] = 1'b0;
     for (int unsigned l = 0; l < Lists; l += 1) first_bucket_o[l*BucketW +: BucketW] = first_q[l];
   end
-  pipegs_first_set #(.DataW(Words)) u_other (.mask_i(others), .one_hot_o(), .number_o(other));
-  pipegs_first_set #(.DataW(Word)) u_place (.mask_i(own_left ? own_q : read), .one_hot_o(), .number_o(place));
+  pipegs_first_set #(.DataW(Words)) u_other (
+    .mask_i(others),
+    .one_hot_o(),
+    .number_o(other)
+  );
+  pipegs_first_set #(.DataW(Word)) u_place (
+    .mask_i(own_left ? own_q : read),
+    .one_hot_o(),
+    .number_o(place)
+  );
   assign first_valid_o = first_valid_q;
 
   pipegs_sram #(.DataW(Word), .Depth(Lists * Words)) u_words (
     .clk_i,
-    .write_i(state_q == Insert || chain_ends), .waddr_i({list_q, at}),
+    .write_i(state_q == Insert || chain_ends),
+    .waddr_i({list_q, at}),
     .wdata_i(state_q == Insert ? word | place_one : own_q),
     .read_i(take_pop || take_insert || state_q == Fetch),
-    .raddr_i(state_q == Fetch ? {list_q, other} : {list_d, bucket_d[BucketW-1:WordW]}), .rdata_o(read)
+    .raddr_i(state_q == Fetch ? {list_q, other} : {list_d, bucket_d[BucketW-1:WordW]}),
+    .rdata_o(read)
   );
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -183,8 +200,15 @@ module dopu_bucket #(
   logic [NodeW:0] taken;
 
   pipegs_slot_pool #(.Slots(Nodes)) u_places (
-    .clk_i, .rst_ni, .slot_valid_o(place_valid), .slot_ready_i(take_insert), .slot_o(free_place),
-    .free_i(out_valid_o), .free_slot_i(place_q), .used_o(taken), .active_o()
+    .clk_i,
+    .rst_ni,
+    .slot_valid_o(place_valid),
+    .slot_ready_i(take_insert),
+    .slot_o(free_place),
+    .free_i(out_valid_o),
+    .free_slot_i(place_q),
+    .used_o(taken),
+    .active_o()
   );
   assign full_o    = !place_valid;
   assign crowded_o = taken >= (NodeW+1)'(Nodes / 4 * 3);

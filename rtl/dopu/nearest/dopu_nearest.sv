@@ -73,7 +73,9 @@ module dopu_nearest #(
 
   logic [StepW-1:0] near_step;
   dopu_depth #(.ValueW(pipegs_pkg::WorldW + 1), .Down(0)) u_near (
-    .value_i({1'b0, near_plane_i}), .exponent_i('0), .step_o(near_step)
+    .value_i({1'b0, near_plane_i}),
+    .exponent_i('0),
+    .step_o(near_step)
   );
 
   // --- each level works on one window's set, and then on the other's: 0 scans cells, 1 opens cells, 2 opens groups ---
@@ -140,7 +142,11 @@ module dopu_nearest #(
   for (genvar l = 0; l < Levels; l += 1) begin : gen_hull
     if (pipegs_pkg::TightBoxes != 0) begin : gen_tight
       dopu_hull u_hull (
-        .node_i(child[l]), .near_step_i(near_step), .parent_i(child_parent[l]), .tight_o(tight[l]), .scale_o(scale[l])
+        .node_i(child[l]),
+        .near_step_i(near_step),
+        .parent_i(child_parent[l]),
+        .tight_o(tight[l]),
+        .scale_o(scale[l])
       );
     end else begin : gen_means
       assign tight[l] = 1'b0;
@@ -155,11 +161,27 @@ module dopu_nearest #(
   logic [RangeW-1:0]  result_range;
 
   dopu_rank #(.TagW(3)) u_rank (
-    .clk_i, .rst_ni, .awake_i, .position_i, .near_plane_i, .planes_i, .near_step_i(near_step),
-    .node_valid_i(want != '0), .node_ready_o(rank_ready), .node_i(child[level]), .set_i(set_q[level]),
-    .parent_i(child_parent[level]), .tight_i(tight[level]), .scale_i(scale[level]), .tag_i({child_last[level], level}),
-    .result_valid_o(result_valid), .result_pass_o(result_pass), .result_tag_o({result_last, result_level}),
-    .result_bucket_o(result_bucket), .result_place_o(result_place), .result_range_o(result_range)
+    .clk_i,
+    .rst_ni,
+    .awake_i,
+    .position_i,
+    .near_plane_i,
+    .planes_i,
+    .near_step_i(near_step),
+    .node_valid_i(want != '0),
+    .node_ready_o(rank_ready),
+    .node_i(child[level]),
+    .set_i(set_q[level]),
+    .parent_i(child_parent[level]),
+    .tight_i(tight[level]),
+    .scale_i(scale[level]),
+    .tag_i({child_last[level], level}),
+    .result_valid_o(result_valid),
+    .result_pass_o(result_pass),
+    .result_tag_o({result_last, result_level}),
+    .result_bucket_o(result_bucket),
+    .result_place_o(result_place),
+    .result_range_o(result_range)
   );
   assign result_kept = result_pass || result_last;
 
@@ -186,11 +208,15 @@ module dopu_nearest #(
       end
 
       pipegs_fifo #(.DataW(2 + BucketW + HeldW), .Depth(Results)) u_queue (
-        .clk_i, .rst_ni,
-        .in_valid_i(push[l]), .in_ready_o(queue_ready[l]),
+        .clk_i,
+        .rst_ni,
+        .in_valid_i(push[l]),
+        .in_ready_o(queue_ready[l]),
         .in_i({result_last, result_pass, result_bucket, result_data}),
-        .out_valid_o(held_valid[l]), .out_ready_i(retired[l]),
-        .out_o({held_last[l], held_pass[l], bucket, held_data}), .count_o(count)
+        .out_valid_o(held_valid[l]),
+        .out_ready_i(retired[l]),
+        .out_o({held_last[l], held_pass[l], bucket, held_data}),
+        .count_o(count)
       );
       assign held_bucket[l] = bucket;
       assign live[l]        = held_valid[l] && held_pass[l] && !level_done[l];
@@ -230,12 +256,25 @@ module dopu_nearest #(
   assign insert       = live != '0 && insert_ready;
 
   dopu_bucket #(.Lists(Lists), .DataW(DataW)) u_bucket (
-    .clk_i, .rst_ni,
-    .insert_valid_i(live != '0), .insert_ready_o(insert_ready), .insert_list_i(insert_list),
-    .insert_bucket_i(held_bucket[insert_level]), .insert_data_i(held[insert_level]), .full_o(full), .crowded_o(crowded),
-    .pop_valid_i(pop_valid), .pop_ready_o(pop_ready), .pop_list_i(pop_list),
-    .out_valid_o(out_valid), .out_list_o(out_list), .out_bucket_o(out_bucket), .out_data_o(out_data),
-    .first_valid_o(first_valid), .first_bucket_o(first_bucket), .idle_o(queue_idle)
+    .clk_i,
+    .rst_ni,
+    .insert_valid_i(live != '0),
+    .insert_ready_o(insert_ready),
+    .insert_list_i(insert_list),
+    .insert_bucket_i(held_bucket[insert_level]),
+    .insert_data_i(held[insert_level]),
+    .full_o(full),
+    .crowded_o(crowded),
+    .pop_valid_i(pop_valid),
+    .pop_ready_o(pop_ready),
+    .pop_list_i(pop_list),
+    .out_valid_o(out_valid),
+    .out_list_o(out_list),
+    .out_bucket_o(out_bucket),
+    .out_data_o(out_data),
+    .first_valid_o(first_valid),
+    .first_bucket_o(first_bucket),
+    .idle_o(queue_idle)
   );
   assign out_level = out_list[2:1];
   assign out_done  = set_done_i[out_list[0]];
@@ -289,17 +328,30 @@ module dopu_nearest #(
       assign open_range[l]  = out_valid ? out_data[PlaceW +: RangeW] : held[l][PlaceW +: RangeW];
 
       dopu_open #(.Most(Most), .Lines(Lines)) u_open (
-        .clk_i, .rst_ni, .table_i(l == 0 ? groups_i : chunks_i),
-        .open_valid_i(open_valid[l]), .open_ready_o(open_ready[l]), .open_bucket_i(open_bucket[l]),
-        .open_first_i(open_range[l][0 +: SlotW]), .open_count_i(open_range[l][SlotW +: CountW]),
-        .mem_valid_o(mem_valid_o[l]), .mem_ready_i(mem_ready_i[l]),
+        .clk_i,
+        .rst_ni,
+        .table_i(l == 0 ? groups_i : chunks_i),
+        .open_valid_i(open_valid[l]),
+        .open_ready_o(open_ready[l]),
+        .open_bucket_i(open_bucket[l]),
+        .open_first_i(open_range[l][0 +: SlotW]),
+        .open_count_i(open_range[l][SlotW +: CountW]),
+        .mem_valid_o(mem_valid_o[l]),
+        .mem_ready_i(mem_ready_i[l]),
         .mem_address_o(mem_address_o[l*pipegs_pkg::AddressW +: pipegs_pkg::AddressW]),
         .mem_lines_o(mem_lines_o[l*pipegs_pkg::BurstW +: pipegs_pkg::BurstW]),
-        .rsp_valid_i(rsp_valid_i[l]), .rsp_data_i,
-        .child_valid_o(child_valid[l+1]), .child_ready_i(enter[l+1] || drop[l+1]), .child_o(child[l+1]),
-        .child_parent_o(child_parent[l+1]), .child_last_o(child_last[l+1]),
-        .settled_i(retired[l+1] && held_last[l+1]), .any_o(any_open[l]), .nearest_o(open_nearest[l]),
-        .bad_o(bad_o[l]), .bad_line_o(bad_line_o[l*pipegs_pkg::AddressW +: pipegs_pkg::AddressW]),
+        .rsp_valid_i(rsp_valid_i[l]),
+        .rsp_data_i,
+        .child_valid_o(child_valid[l+1]),
+        .child_ready_i(enter[l+1] || drop[l+1]),
+        .child_o(child[l+1]),
+        .child_parent_o(child_parent[l+1]),
+        .child_last_o(child_last[l+1]),
+        .settled_i(retired[l+1] && held_last[l+1]),
+        .any_o(any_open[l]),
+        .nearest_o(open_nearest[l]),
+        .bad_o(bad_o[l]),
+        .bad_line_o(bad_line_o[l*pipegs_pkg::AddressW +: pipegs_pkg::AddressW]),
         .waiting_o(reading[l])
       );
 `ifndef SYNTHESIS
@@ -324,13 +376,30 @@ module dopu_nearest #(
   end
 
   dopu_send u_send (
-    .clk_i, .rst_ni, .near_step_i(near_step), .set_done_i, .set_o(send_set),
-    .opened_i(complete_q[2][send_set]), .unopened_i(unopened), .window_end_o(window_end),
-    .first_valid_i(first_valid[5:4]), .first_bucket_i(first_bucket[4*BucketW +: 2*BucketW]),
-    .pop_o(send_pop), .pop_ready_i(pop_ready), .popped_i(out_valid && out_level == 2'd2), .popped_data_i(out_data),
-    .direct_valid_i(direct_chunk), .direct_ready_o(direct_ready), .direct_bucket_i(held_bucket[2]),
+    .clk_i,
+    .rst_ni,
+    .near_step_i(near_step),
+    .set_done_i,
+    .set_o(send_set),
+    .opened_i(complete_q[2][send_set]),
+    .unopened_i(unopened),
+    .window_end_o(window_end),
+    .first_valid_i(first_valid[5:4]),
+    .first_bucket_i(first_bucket[4*BucketW +: 2*BucketW]),
+    .pop_o(send_pop),
+    .pop_ready_i(pop_ready),
+    .popped_i(out_valid && out_level == 2'd2),
+    .popped_data_i(out_data),
+    .direct_valid_i(direct_chunk),
+    .direct_ready_o(direct_ready),
+    .direct_bucket_i(held_bucket[2]),
     .direct_data_i(held[2]),
-    .chunk_valid_o, .chunk_ready_i, .chunk_kind_o, .chunk_set_o, .chunk_o, .mark_o
+    .chunk_valid_o,
+    .chunk_ready_i,
+    .chunk_kind_o,
+    .chunk_set_o,
+    .chunk_o,
+    .mark_o
   );
 
   assign testing_o = want != '0 || drop != '0 || cell_ready_o || !queue_idle || retired != '0 || pop_valid ||

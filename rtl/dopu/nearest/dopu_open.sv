@@ -119,13 +119,31 @@ module dopu_open #(
 
   pipegs_line_reader #(.TagW(CountW + BucketW), .ItemW(NodeBits), .ItemsPerLine(2), .Lines(Lines), .Jobs(Most))
     u_reader (
-    .clk_i, .rst_ni, .table_i,
-    .job_valid_i(job_valid_q), .job_ready_o(job_ready), .job_read_i(1'b1),
-    .job_first_i(job_first_q), .job_count_i(job_count_q), .job_tag_i({job_last, job_bucket_q}),
-    .mem_valid_o, .mem_ready_i, .mem_address_o, .mem_lines_o, .rsp_valid_i, .rsp_data_i,
-    .out_valid_o(child_valid_o), .out_ready_i(child_ready_i), .out_read_o(is_read), .out_index_o(index),
-    .out_tag_o({last, child_parent_o}), .out_item_o(child_o),
-    .bad_o, .bad_line_o, .waiting_o, .idle_o(idle)
+    .clk_i,
+    .rst_ni,
+    .table_i,
+    .job_valid_i(job_valid_q),
+    .job_ready_o(job_ready),
+    .job_read_i(1'b1),
+    .job_first_i(job_first_q),
+    .job_count_i(job_count_q),
+    .job_tag_i({job_last, job_bucket_q}),
+    .mem_valid_o,
+    .mem_ready_i,
+    .mem_address_o,
+    .mem_lines_o,
+    .rsp_valid_i,
+    .rsp_data_i,
+    .out_valid_o(child_valid_o),
+    .out_ready_i(child_ready_i),
+    .out_read_o(is_read),
+    .out_index_o(index),
+    .out_tag_o({last, child_parent_o}),
+    .out_item_o(child_o),
+    .bad_o,
+    .bad_line_o,
+    .waiting_o,
+    .idle_o(idle)
   );
   assign child_last_o = CountW'(index) == last;
 
@@ -135,7 +153,10 @@ module dopu_open #(
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni) assert (!settled_i || any_o);
   pipegs_stream_check #(.DataW($bits({job_last, job_bucket_q, job_first_q, job_count_q}))) u_check_job (
-    .clk_i, .rst_ni, .valid_i(job_valid_q), .ready_i(job_ready),
+    .clk_i,
+    .rst_ni,
+    .valid_i(job_valid_q),
+    .ready_i(job_ready),
     .beat_i({job_last, job_bucket_q, job_first_q, job_count_q})
   );
 `endif

@@ -59,10 +59,25 @@ module dopu_rank #(
   generate
     for (genvar t = 0; t < Tests; t += 1) begin : gen_tests
       dopu_test #(.TagW(TagW + BucketW), .Phase(t)) u_test (
-        .clk_i, .rst_ni, .awake_i, .position_i, .near_plane_i, .planes_i,
-        .node_valid_i, .node_ready_o(ready[t]), .node_i, .set_i, .tight_i, .scale_i, .tag_i({tag_i, parent_i}),
-        .result_valid_o(valid[t]), .result_pass_o(pass[t]), .result_node_o(node[t]), .result_tag_o(tag[t]),
-        .result_nearest_o(nearest[t]), .result_exponent_o(exponent[t])
+        .clk_i,
+        .rst_ni,
+        .awake_i,
+        .position_i,
+        .near_plane_i,
+        .planes_i,
+        .node_valid_i,
+        .node_ready_o(ready[t]),
+        .node_i,
+        .set_i,
+        .tight_i,
+        .scale_i,
+        .tag_i({tag_i, parent_i}),
+        .result_valid_o(valid[t]),
+        .result_pass_o(pass[t]),
+        .result_node_o(node[t]),
+        .result_tag_o(tag[t]),
+        .result_nearest_o(nearest[t]),
+        .result_exponent_o(exponent[t])
       );
     end
   endgenerate
@@ -97,7 +112,9 @@ module dopu_rank #(
   end
 
   dopu_depth #(.ValueW(DistanceW), .Down(pipegs_pkg::RotF - (pipegs_pkg::RotW - pipegs_pkg::TestW))) u_depth (
-    .value_i(nearest_q), .exponent_i(exponent_q), .step_o(step)
+    .value_i(nearest_q),
+    .exponent_i(exponent_q),
+    .step_o(step)
   );
   assign parent = tag_q[BucketW-1:0];
   assign beyond = $signed({1'b0, step}) - $signed({1'b0, near_step_i});

@@ -65,10 +65,19 @@ module pu_axes (
   end
 
   pu_phases #(.Depth(Depth), .Claim(pipegs_pkg::AxesClaim)) u_phases (
-    .clk_i, .rst_ni,
-    .in_valid_i(covariance_valid_i), .in_ready_o(covariance_ready_o),
-    .out_valid_o(axes_valid_o), .out_ready_i(axes_ready_i),
-    .take_o(take), .claim_o(claim), .step_o(step), .held_o(), .phase_o(phase), .slots_o(slots), .busy_o
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(covariance_valid_i),
+    .in_ready_o(covariance_ready_o),
+    .out_valid_o(axes_valid_o),
+    .out_ready_i(axes_ready_i),
+    .take_o(take),
+    .claim_o(claim),
+    .step_o(step),
+    .held_o(),
+    .phase_o(phase),
+    .slots_o(slots),
+    .busy_o
   );
 
   pipegs_pkg::covariance_t in_q;
@@ -106,7 +115,10 @@ module pu_axes (
   logic [LeadW-1:0]   x_q, y_q, y_late_q;
   logic [ByW-1:0]     cut_q;
   logic               round, round_q;
-  pipegs_bit_length #(.DataW(DoubleW)) u_length (.in_i(DoubleW'(d_q) | double_b_q), .length_o(length));
+  pipegs_bit_length #(.DataW(DoubleW)) u_length (
+    .in_i(DoubleW'(d_q) | double_b_q),
+    .length_o(length)
+  );
   assign round     = length <= LengthW'(RoundW);
   assign length_by = round ? '0 : length - LengthW'(LeadW - 1);
   assign x_cut     = {DoubleW'(d_q), 1'b0} >> length_by;
@@ -132,7 +144,11 @@ module pu_axes (
       default: ;
     endcase
   end
-  pipegs_rsqrt u_rsqrt (.clk_i, .u_i(u), .r_o(inverse_r));
+  pipegs_rsqrt u_rsqrt (
+    .clk_i,
+    .u_i(u),
+    .r_o(inverse_r)
+  );
 
   // --- 7: r and g = d + r, with two fraction bits; 8: the reciprocals ------------------------------------------------
   logic [RootW-1:0]   root, root_q;
@@ -154,7 +170,12 @@ module pu_axes (
   assign sum_m      = sum_normal[SumW-1 -: AxisMW];
   assign recip_in   = late[1] ? g_normal : sum_m;
   pipegs_recip #(.DataW(AxisMW)) u_recip (
-    .clk_i, .rst_ni, .in_valid_i(late[1] || late[2]), .in_i(recip_in), .out_valid_o(), .out_o(inverse)
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(late[1] || late[2]),
+    .in_i(recip_in),
+    .out_valid_o(),
+    .out_o(inverse)
   );
 
   // --- the second multiplier: cycles 8, 12 and 13 --------------------------------------------------------------------

@@ -61,10 +61,19 @@ module pu_box (
   end
 
   pu_phases #(.Depth(Depth), .Claim(pipegs_pkg::BoxClaim)) u_phases (
-    .clk_i, .rst_ni,
-    .in_valid_i(axes_valid_i), .in_ready_o(axes_ready_o),
-    .out_valid_o(covariance_valid_o), .out_ready_i(covariance_ready_i),
-    .take_o(take), .claim_o(claim), .step_o(step), .held_o(), .phase_o(phase), .slots_o(slots), .busy_o
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(axes_valid_i),
+    .in_ready_o(axes_ready_o),
+    .out_valid_o(covariance_valid_o),
+    .out_ready_i(covariance_ready_i),
+    .take_o(take),
+    .claim_o(claim),
+    .step_o(step),
+    .held_o(),
+    .phase_o(phase),
+    .slots_o(slots),
+    .busy_o
   );
 
   pipegs_pkg::axes_t       in_q;
@@ -89,7 +98,11 @@ module pu_box (
                    (odd ? (high ? $signed(ExpW'(1)) : -$signed(ExpW'(1))) : $signed(ExpW'(0)));
 
   logic [RsqrtOutW-1:0] inverse;
-  pipegs_rsqrt u_rsqrt (.clk_i, .u_i(u_q), .r_o(inverse));
+  pipegs_rsqrt u_rsqrt (
+    .clk_i,
+    .u_i(u_q),
+    .r_o(inverse)
+  );
 
   // --- the first multiplier ------------------------------------------------------------------------------------------
   logic [AxisMW-1:0]      left, right, ratio_m, ratio_m_q, det;

@@ -207,7 +207,11 @@ module pu_color_basis (
 
 `ifndef SYNTHESIS
   pipegs_stream_check #(.DataW($bits(basis_o))) u_check_basis (
-    .clk_i, .rst_ni, .valid_i(basis_valid_o), .ready_i(basis_ready_i), .beat_i(basis_o)
+    .clk_i,
+    .rst_ni,
+    .valid_i(basis_valid_o),
+    .ready_i(basis_ready_i),
+    .beat_i(basis_o)
   );
 `endif
 

@@ -140,7 +140,11 @@ module pu_color_fetch #(
   always_ff @(posedge clk_i) if (rst_ni) assert (!rsp_valid_i || line_room)
     else $error("a line came that nobody waits for");
   pipegs_stream_check #(.DataW($bits(mem_address_o))) u_check_mem (
-    .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i(mem_address_o)
+    .clk_i,
+    .rst_ni,
+    .valid_i(mem_valid_o),
+    .ready_i(mem_ready_i),
+    .beat_i(mem_address_o)
   );
 `endif
 

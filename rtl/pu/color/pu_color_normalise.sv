@@ -77,7 +77,10 @@ module pu_color_normalise (
     cut    = product_q >>> ((HalfW + 1)'(product_half_q) + (HalfW + 1)'(ShiftLow));
     near   = (cut >>> 1) + ProductW'($signed({1'b0, cut[0]}));
   end
-  pipegs_saturate #(.InW(ProductW), .OutW(UnitW)) u_unit (.in_i(near), .out_o(unit_d));
+  pipegs_saturate #(.InW(ProductW), .OutW(UnitW)) u_unit (
+    .in_i(near),
+    .out_o(unit_d)
+  );
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
@@ -125,7 +128,11 @@ module pu_color_normalise (
 
 `ifndef SYNTHESIS
   pipegs_stream_check #(.DataW($bits(unit_o))) u_check_unit (
-    .clk_i, .rst_ni, .valid_i(unit_valid_o), .ready_i(unit_ready_i), .beat_i(unit_o)
+    .clk_i,
+    .rst_ni,
+    .valid_i(unit_valid_o),
+    .ready_i(unit_ready_i),
+    .beat_i(unit_o)
   );
 `endif
 

@@ -111,8 +111,14 @@ module pu_color_rotate (
   logic signed [WorldW-1:0] world_a, world_b;
   assign near_a = (sum_a_q + (SumW'(1) << (Drop - 1))) >>> Drop;
   assign near_b = (sum_b_q + (SumW'(1) << (Drop - 1))) >>> Drop;
-  pipegs_saturate #(.InW(SumW), .OutW(WorldW)) u_world_a (.in_i(near_a), .out_o(world_a));
-  pipegs_saturate #(.InW(SumW), .OutW(WorldW)) u_world_b (.in_i(near_b), .out_o(world_b));
+  pipegs_saturate #(.InW(SumW), .OutW(WorldW)) u_world_a (
+    .in_i(near_a),
+    .out_o(world_a)
+  );
+  pipegs_saturate #(.InW(SumW), .OutW(WorldW)) u_world_b (
+    .in_i(near_b),
+    .out_o(world_b)
+  );
 
   always_ff @(posedge clk_i) begin
     if (product_valid_q && product_step_q == 3'd3) begin
@@ -131,7 +137,11 @@ module pu_color_rotate (
 
 `ifndef SYNTHESIS
   pipegs_stream_check #(.DataW($bits(world_o))) u_check_world (
-    .clk_i, .rst_ni, .valid_i(world_valid_o), .ready_i(world_ready_i), .beat_i(world_o)
+    .clk_i,
+    .rst_ni,
+    .valid_i(world_valid_o),
+    .ready_i(world_ready_i),
+    .beat_i(world_o)
   );
 `endif
 

@@ -244,7 +244,11 @@ module pu_color_sum (
 
 `ifndef SYNTHESIS
   pipegs_stream_check #(.DataW($bits(colored_o))) u_check_colored (
-    .clk_i, .rst_ni, .valid_i(colored_valid_o), .ready_i(colored_ready_i), .beat_i(colored_o)
+    .clk_i,
+    .rst_ni,
+    .valid_i(colored_valid_o),
+    .ready_i(colored_ready_i),
+    .beat_i(colored_o)
   );
 `endif
 

@@ -68,10 +68,19 @@ module pu_coeff (
   pipegs_pkg::coeff_t  coeff, coeff_q;
 
   pu_turns #(.Out(OutPhase)) u_turns (
-    .clk_i, .rst_ni,
-    .in_valid_i(conic_valid_i), .in_ready_o(conic_ready_o), .in_data_i(conic_i.kind == pipegs_pkg::KindData),
-    .out_valid_o(coeff_valid_o), .out_ready_i(coeff_ready_i),
-    .phase_o(phase), .fresh_o(), .advance_o(advance), .move_o(move), .leave_o(leave), .busy_o
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(conic_valid_i),
+    .in_ready_o(conic_ready_o),
+    .in_data_i(conic_i.kind == pipegs_pkg::KindData),
+    .out_valid_o(coeff_valid_o),
+    .out_ready_i(coeff_ready_i),
+    .phase_o(phase),
+    .fresh_o(),
+    .advance_o(advance),
+    .move_o(move),
+    .leave_o(leave),
+    .busy_o
   );
 
   // --- the two numbers that need their leading bits: mean_q and w --------------------------------------------------
@@ -87,7 +96,8 @@ module pu_coeff (
   assign wide   = phase[0] ? WideW'(mean_q) : w_q;
 
   pipegs_bit_length #(.DataW(WideW - 1)) u_length (
-    .in_i(wide[WideW-2:0] ^ {(WideW - 1){wide[WideW-1]}}), .length_o(length)
+    .in_i(wide[WideW-2:0] ^ {(WideW - 1){wide[WideW-1]}}),
+    .length_o(length)
   );
   assign spare  = LengthW'(WideW - 1) - length;
   assign raised = NormalW'($signed(wide <<< spare) >>> (WideW - NormalW));
@@ -187,8 +197,15 @@ module pu_coeff (
   logic signed [AW-1:0] aligned;
   logic                 up, fits_a, fits_bc, fits_def;
   pu_align #(.DataW(ProductW), .Guard(Guard), .ShiftW(SumW)) u_align (
-    .clk_i, .enable_i(advance), .product_i(product), .shift_i(shift_q), .floor_o(aligned), .up_o(up),
-    .fits_a_o(fits_a), .fits_bc_o(fits_bc), .fits_def_o(fits_def)
+    .clk_i,
+    .enable_i(advance),
+    .product_i(product),
+    .shift_i(shift_q),
+    .floor_o(aligned),
+    .up_o(up),
+    .fits_a_o(fits_a),
+    .fits_bc_o(fits_bc),
+    .fits_def_o(fits_def)
   );
 
   // narrow and wide themselves: cycles 2 and 3 the shift, 3 and 4 the number, 4 and 5 its use.

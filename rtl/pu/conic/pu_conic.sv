@@ -68,10 +68,19 @@ module pu_conic (
   assign data = covariance_i.kind == pipegs_pkg::KindData;
 
   pu_turns #(.Out(5)) u_turns (
-    .clk_i, .rst_ni,
-    .in_valid_i(covariance_valid_i), .in_ready_o(covariance_ready_o), .in_data_i(data),
-    .out_valid_o(conic_valid_o), .out_ready_i(conic_ready_i),
-    .phase_o(phase), .fresh_o(fresh), .advance_o(advance), .move_o(move), .leave_o(leave), .busy_o
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(covariance_valid_i),
+    .in_ready_o(covariance_ready_o),
+    .in_data_i(data),
+    .out_valid_o(conic_valid_o),
+    .out_ready_i(conic_ready_i),
+    .phase_o(phase),
+    .fresh_o(fresh),
+    .advance_o(advance),
+    .move_o(move),
+    .leave_o(leave),
+    .busy_o
   );
 
   // --- which axis is the wider one ---------------------------------------------------------------------------------
@@ -90,9 +99,12 @@ module pu_conic (
   assign recip_in       = phase[0] ? larger_m : covariance_i.det_m;
 
   pipegs_recip #(.DataW(MantissaW)) u_recip (
-    .clk_i, .rst_ni,
-    .in_valid_i(recip_in_valid), .in_i(recip_in),
-    .out_valid_o(recip_valid), .out_o(recip)
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(recip_in_valid),
+    .in_i(recip_in),
+    .out_valid_o(recip_valid),
+    .out_o(recip)
   );
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -211,10 +223,16 @@ module pu_conic (
   end else begin : gen_reached
     assign conic_o = conic_q;
     pu_extent u_extent (
-      .clk_i, .phase_i(phase), .advance_i(advance),
-      .opacity_i(covariance_i.opacity), .a_e_i(covariance_i.a_e), .c_e_i(covariance_i.c_e),
-      .t_o(t), .product_i(product_q[MantissaW+OpacityW-1:0]),
-      .extent_x_o(extent_x), .extent_y_o(extent_y)
+      .clk_i,
+      .phase_i(phase),
+      .advance_i(advance),
+      .opacity_i(covariance_i.opacity),
+      .a_e_i(covariance_i.a_e),
+      .c_e_i(covariance_i.c_e),
+      .t_o(t),
+      .product_i(product_q[MantissaW+OpacityW-1:0]),
+      .extent_x_o(extent_x),
+      .extent_y_o(extent_y)
     );
   end
 

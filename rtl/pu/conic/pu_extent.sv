@@ -52,7 +52,10 @@ module pu_extent #(
   assign budget = Budget > opacity_i ? Budget - opacity_i : '0;
   assign scaled = (OpacityW + MarginW)'(budget) * (OpacityW + MarginW)'(Margin);
 
-  pipegs_bit_length #(.DataW(OpacityW)) u_length (.in_i(t_q), .length_o(t_length));
+  pipegs_bit_length #(.DataW(OpacityW)) u_length (
+    .in_i(t_q),
+    .length_o(t_length)
+  );
   assign lead = FloatEW'(OpacityW) - FloatEW'(t_length);
   assign t_o  = t_left_q;
   always_ff @(posedge clk_i) begin
@@ -75,10 +78,18 @@ module pu_extent #(
   assign radicand = exponent[0] ? RadicandW'(product_i >> (Cut + 1)) : RadicandW'(product_i >> Cut);
 
   pu_root u_root_x (
-    .clk_i, .load_i(phase_i[3]), .step_i(advance_i), .radicand_i(radicand), .root_o(root_x)
+    .clk_i,
+    .load_i(phase_i[3]),
+    .step_i(advance_i),
+    .radicand_i(radicand),
+    .root_o(root_x)
   );
   pu_root u_root_y (
-    .clk_i, .load_i(phase_i[4]), .step_i(advance_i), .radicand_i(radicand), .root_o(root_y)
+    .clk_i,
+    .load_i(phase_i[4]),
+    .step_i(advance_i),
+    .radicand_i(radicand),
+    .root_o(root_y)
   );
 
   // (root + 1) * 2^half, in 1/16 pixel.

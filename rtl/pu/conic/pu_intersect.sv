@@ -165,8 +165,16 @@ module pu_intersect (
     logic                     touches;
     if (pipegs_pkg::Oriented) begin : gen_oriented
       pu_touch #(.Stride(Tests), .Ahead(k)) u_touch (
-        .clk_i, .load_i(load), .dx_i(way_x_q), .dy_i(way_y_q), .tilt_i(coeff_i.tilt), .side_u_i(coeff_i.side_u),
-        .side_v_i(coeff_i.side_v), .step_i(step), .down_i(last_column), .touches_o(touches)
+        .clk_i,
+        .load_i(load),
+        .dx_i(way_x_q),
+        .dy_i(way_y_q),
+        .tilt_i(coeff_i.tilt),
+        .side_u_i(coeff_i.side_u),
+        .side_v_i(coeff_i.side_v),
+        .step_i(step),
+        .down_i(last_column),
+        .touches_o(touches)
       );
     end else begin : gen_reached
       assign touches = 1'b0;
@@ -188,15 +196,40 @@ module pu_intersect (
       assign start_gy = first_gy_q + (GradW'(f_q) <<< EightW);
     end
     pu_step #(.Stride(Tests)) u_step (
-      .clk_i, .load_i(load), .power_i(start), .gx_i(start_gx), .gy_i(start_gy),
-      .step_i(step), .down_i(last_column), .d_i(walk_q.d), .e_i(walk_q.e), .f_i(walk_q.f),
-      .power_o(power), .gx_o(gx), .gy_o(gy)
+      .clk_i,
+      .load_i(load),
+      .power_i(start),
+      .gx_i(start_gx),
+      .gy_i(start_gy),
+      .step_i(step),
+      .down_i(last_column),
+      .d_i(walk_q.d),
+      .e_i(walk_q.e),
+      .f_i(walk_q.f),
+      .power_o(power),
+      .gx_o(gx),
+      .gy_o(gy)
     );
     pu_edge u_edge (
-      .clk_i, .rst_ni, .hold_i(hold), .valid_i(step && in_box), .last_i(last_region),
-      .column_i(column_q + AxisW'(k)), .row_i(row_q), .mean_x_i(walk_q.mean_x), .mean_y_i(walk_q.mean_y),
-      .d_i(walk_q.d), .e_i(walk_q.e), .f_i(walk_q.f), .power_i(power), .gx_i(gx), .gy_i(gy), .touches_i(touches),
-      .keep_o(keep[k]), .region_o(region[k*RegionW +: RegionW]), .last_o(last[k])
+      .clk_i,
+      .rst_ni,
+      .hold_i(hold),
+      .valid_i(step && in_box),
+      .last_i(last_region),
+      .column_i(column_q + AxisW'(k)),
+      .row_i(row_q),
+      .mean_x_i(walk_q.mean_x),
+      .mean_y_i(walk_q.mean_y),
+      .d_i(walk_q.d),
+      .e_i(walk_q.e),
+      .f_i(walk_q.f),
+      .power_i(power),
+      .gx_i(gx),
+      .gy_i(gy),
+      .touches_i(touches),
+      .keep_o(keep[k]),
+      .region_o(region[k*RegionW +: RegionW]),
+      .last_o(last[k])
     );
   end
   assign test_last = last != '0;
@@ -274,7 +307,11 @@ module pu_intersect (
 
 `ifndef SYNTHESIS
   pipegs_stream_check #(.DataW($bits(tiles_o))) u_check_tiles (
-    .clk_i, .rst_ni, .valid_i(tiles_valid_o), .ready_i(tiles_ready_i), .beat_i(tiles_o)
+    .clk_i,
+    .rst_ni,
+    .valid_i(tiles_valid_o),
+    .ready_i(tiles_ready_i),
+    .beat_i(tiles_o)
   );
 `endif
 

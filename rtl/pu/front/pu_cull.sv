@@ -145,9 +145,18 @@ module pu_cull (
                                                  input logic signed [ViewW-1:0] origin);
     place = ((SumW + 1)'(twice) + ((SumW + 1)'(origin) <<< 1) + $signed((SumW + 1)'(1))) >>> 1;
   endfunction
-  pipegs_saturate #(.InW(SumW + 1), .OutW(ViewW)) u_x4 (.in_i(place(x3_q, origin_x_q[3])), .out_o(x4));
-  pipegs_saturate #(.InW(SumW + 1), .OutW(ViewW)) u_y4 (.in_i(place(y3_q, origin_y_q[3])), .out_o(y4));
-  pipegs_saturate #(.InW(SumW + 1), .OutW(ViewW)) u_z4 (.in_i(place(z3_q, origin_z_q[3])), .out_o(z4));
+  pipegs_saturate #(.InW(SumW + 1), .OutW(ViewW)) u_x4 (
+    .in_i(place(x3_q, origin_x_q[3])),
+    .out_o(x4)
+  );
+  pipegs_saturate #(.InW(SumW + 1), .OutW(ViewW)) u_y4 (
+    .in_i(place(y3_q, origin_y_q[3])),
+    .out_o(y4)
+  );
+  pipegs_saturate #(.InW(SumW + 1), .OutW(ViewW)) u_z4 (
+    .in_i(place(z3_q, origin_z_q[3])),
+    .out_o(z4)
+  );
 
   // --- stages 1 to 3 beside them: the largest scale in view units, rounded up --------------------------------------
   localparam int unsigned Bias   = 8;                  // of a scale's exponent field
@@ -219,7 +228,11 @@ module pu_cull (
   assign ride3 = ride_q[3];
   assign sizes = (x4_q ^ (x4_q >>> (ViewW - 1))) | (y4_q ^ (y4_q >>> (ViewW - 1))) | (z4_q ^ (z4_q >>> (ViewW - 1))) |
                  $signed({1'b0, s4_q[ViewW-2:0]});
-  pipegs_normalize #(.DataW(ViewW)) u_normalize (.in_i(sizes), .out_o(normal), .shift_o(shift));
+  pipegs_normalize #(.DataW(ViewW)) u_normalize (
+    .in_i(sizes),
+    .out_o(normal),
+    .shift_o(shift)
+  );
   localparam logic [ShiftW-1:0] NoCut = ShiftW'(ViewW - 1 - MagW);  // shift of a value of MagW bits
   always_ff @(posedge clk_i) begin
     if (load[4]) {x4_q, y4_q, z4_q} <= {x4, y4, z4};
@@ -393,7 +406,11 @@ module pu_cull (
     assert (!(pipegs_pkg::NearTest == 0 && out_valid_q && out_q.kind == pipegs_pkg::KindData) || out_q.view_z > 0)
     else $error("pu_cull: a Gaussian behind the camera, and NearTest is 0");
   pipegs_stream_check #(.DataW($bits({visible_o, gap_o}))) u_check_visible (
-    .clk_i, .rst_ni, .valid_i(visible_valid_o), .ready_i(visible_ready_i), .beat_i({visible_o, gap_o})
+    .clk_i,
+    .rst_ni,
+    .valid_i(visible_valid_o),
+    .ready_i(visible_ready_i),
+    .beat_i({visible_o, gap_o})
   );
 `endif
 

@@ -50,16 +50,37 @@ module pu_fetch #(
                       chunk_i.window_y, chunk_i.window_x, chunk_i.kind};
 
   pipegs_line_reader #(
-    .TagW(HeaderW), .ItemW(pipegs_pkg::GaussianRecordBits), .ItemsPerLine(pipegs_pkg::GaussiansPerLine), .Lines(Lines),
+    .TagW(HeaderW),
+    .ItemW(pipegs_pkg::GaussianRecordBits),
+    .ItemsPerLine(pipegs_pkg::GaussiansPerLine),
+    .Lines(Lines),
     .Jobs(pipegs_pkg::GeometryJobs)
   ) u_reader (
-    .clk_i, .rst_ni, .table_i(gaussians_i),
-    .job_valid_i(chunk_valid_i), .job_ready_o(chunk_ready_o), .job_read_i(chunk_i.kind == pipegs_pkg::KindData),
-    .job_first_i(chunk_i.slot), .job_count_i(chunk_i.count), .job_tag_i(header_in),
-    .mem_valid_o, .mem_ready_i, .mem_address_o, .mem_lines_o, .rsp_valid_i, .rsp_data_i,
-    .out_valid_o(fetched_valid_o), .out_ready_i(fetched_ready_i), .out_read_o(is_data), .out_index_o(slot),
-    .out_tag_o(header), .out_item_o(item),
-    .bad_o, .bad_line_o, .waiting_o(waiting_memory_o), .idle_o
+    .clk_i,
+    .rst_ni,
+    .table_i(gaussians_i),
+    .job_valid_i(chunk_valid_i),
+    .job_ready_o(chunk_ready_o),
+    .job_read_i(chunk_i.kind == pipegs_pkg::KindData),
+    .job_first_i(chunk_i.slot),
+    .job_count_i(chunk_i.count),
+    .job_tag_i(header_in),
+    .mem_valid_o,
+    .mem_ready_i,
+    .mem_address_o,
+    .mem_lines_o,
+    .rsp_valid_i,
+    .rsp_data_i,
+    .out_valid_o(fetched_valid_o),
+    .out_ready_i(fetched_ready_i),
+    .out_read_o(is_data),
+    .out_index_o(slot),
+    .out_tag_o(header),
+    .out_item_o(item),
+    .bad_o,
+    .bad_line_o,
+    .waiting_o(waiting_memory_o),
+    .idle_o
   );
 
   logic unused_chunk;

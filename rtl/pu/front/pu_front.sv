@@ -49,26 +49,56 @@ module pu_front #(
   pipegs_pkg::gap_t     gap;
 
   pu_fetch u_fetch (
-    .clk_i, .rst_ni, .gaussians_i, .chunk_valid_i, .chunk_ready_o, .chunk_i,
-    .mem_valid_o(geometry_valid_o), .mem_ready_i(geometry_ready_i), .mem_address_o(geometry_address_o),
+    .clk_i,
+    .rst_ni,
+    .gaussians_i,
+    .chunk_valid_i,
+    .chunk_ready_o,
+    .chunk_i,
+    .mem_valid_o(geometry_valid_o),
+    .mem_ready_i(geometry_ready_i),
+    .mem_address_o(geometry_address_o),
     .mem_lines_o(geometry_lines_o),
-    .rsp_valid_i(geometry_rsp_valid_i), .rsp_data_i,
-    .fetched_valid_o(fetched_valid), .fetched_ready_i(fetched_ready), .fetched_o(fetched),
-    .bad_o, .bad_line_o, .waiting_memory_o(waiting_o), .idle_o
+    .rsp_valid_i(geometry_rsp_valid_i),
+    .rsp_data_i,
+    .fetched_valid_o(fetched_valid),
+    .fetched_ready_i(fetched_ready),
+    .fetched_o(fetched),
+    .bad_o,
+    .bad_line_o,
+    .waiting_memory_o(waiting_o),
+    .idle_o
   );
 
   pu_cull u_cull (
-    .clk_i, .rst_ni, .rotation_i, .lens_i, .windows_i,
-    .fetched_valid_i(fetched_valid), .fetched_ready_o(fetched_ready), .fetched_i(fetched),
-    .visible_valid_o(survivor_valid), .visible_ready_i(survivor_ready), .visible_o(survivor), .gap_o(gap),
+    .clk_i,
+    .rst_ni,
+    .rotation_i,
+    .lens_i,
+    .windows_i,
+    .fetched_valid_i(fetched_valid),
+    .fetched_ready_o(fetched_ready),
+    .fetched_i(fetched),
+    .visible_valid_o(survivor_valid),
+    .visible_ready_i(survivor_ready),
+    .visible_o(survivor),
+    .gap_o(gap),
     .busy_o(cull_busy)
   );
 
   if (pipegs_pkg::TightCull != 0) begin : gen_reach
     pu_reach u_reach (
-      .clk_i, .rst_ni, .rotation_i, .lens_i,
-      .culled_valid_i(survivor_valid), .culled_ready_o(survivor_ready), .culled_i({gap, survivor}),
-      .visible_valid_o, .visible_ready_i, .visible_o, .busy_o(reach_busy)
+      .clk_i,
+      .rst_ni,
+      .rotation_i,
+      .lens_i,
+      .culled_valid_i(survivor_valid),
+      .culled_ready_o(survivor_ready),
+      .culled_i({gap, survivor}),
+      .visible_valid_o,
+      .visible_ready_i,
+      .visible_o,
+      .busy_o(reach_busy)
     );
   end else begin : gen_no_reach
     logic unused_gap;

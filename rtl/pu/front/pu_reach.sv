@@ -57,16 +57,30 @@ module pu_reach (
   assign busy_o          = count != '0;
 
   pipegs_sram_fifo #(.DataW(pipegs_pkg::VisibleBits), .Depth(Depth)) u_words (
-    .clk_i, .rst_ni, .in_valid_i(culled_valid_i), .in_ready_o(culled_ready_o), .in_i(culled),
-    .out_valid_o(word_valid), .out_ready_i(next), .out_o(visible_o), .count_o(count)
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(culled_valid_i),
+    .in_ready_o(culled_ready_o),
+    .in_i(culled),
+    .out_valid_o(word_valid),
+    .out_ready_i(next),
+    .out_o(visible_o),
+    .count_o(count)
   );
 
   // As many bits as words at most.
   logic              bit_ready;
   logic [CountW-1:0] bit_count;
   pipegs_fifo #(.DataW(1), .Depth(Depth)) u_bits (
-    .clk_i, .rst_ni, .in_valid_i(valid_q[Stages]), .in_ready_o(bit_ready), .in_i(keep),
-    .out_valid_o(bit_valid), .out_ready_i(next), .out_o(kept), .count_o(bit_count)
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(valid_q[Stages]),
+    .in_ready_o(bit_ready),
+    .in_i(keep),
+    .out_valid_o(bit_valid),
+    .out_ready_i(next),
+    .out_o(kept),
+    .count_o(bit_count)
   );
 
   assign load = {valid_q[Stages-1:1], take};
@@ -165,7 +179,11 @@ module pu_reach (
   logic        [3*ScaleEW-1:0]    below2_q;   // exponents below the largest
   logic signed [8:0]              exponent2_q;
   assign limit = along_x_q[1] ? lens_i.limit_x[TanF+3 -: LimitW] : lens_i.limit_y[TanF+3 -: LimitW];
-  pipegs_normalize #(.DataW(GapW)) u_gap (.in_i(gap1_q), .out_o(normal), .shift_o(gap_shift));
+  pipegs_normalize #(.DataW(GapW)) u_gap (
+    .in_i(gap1_q),
+    .out_o(normal),
+    .shift_o(gap_shift)
+  );
   always_ff @(posedge clk_i) if (load[2]) begin
     gap2_q      <= normal[GapW-2 -: GapMW];
     bound2_q    <= (LimitW + MagW)'(limit) * (LimitW + MagW)'(z1_q);
@@ -356,7 +374,11 @@ module pu_reach (
   always_ff @(posedge clk_i) if (rst_ni) assert (!valid_q[Stages] || bit_ready)
     else $error("pu_reach: a bit without room");
   pipegs_stream_check #(.DataW($bits(visible_o))) u_check_visible (
-    .clk_i, .rst_ni, .valid_i(visible_valid_o), .ready_i(visible_ready_i), .beat_i(visible_o)
+    .clk_i,
+    .rst_ni,
+    .valid_i(visible_valid_o),
+    .ready_i(visible_ready_i),
+    .beat_i(visible_o)
   );
 `endif
 

@@ -72,12 +72,20 @@ module pu_expand #(
   assign most_x = windows_i.last_x - windows_i.first_x;
   assign most_y = windows_i.last_y - windows_i.first_y;
   pu_span #(.SideF(SideF)) u_columns (
-    .mean_i(conic_i.mean_x), .extent_i(conic_i.extent_x), .most_i(most_x),
-    .first_o(first_x), .last_o(last_x), .none_o(none_x)
+    .mean_i(conic_i.mean_x),
+    .extent_i(conic_i.extent_x),
+    .most_i(most_x),
+    .first_o(first_x),
+    .last_o(last_x),
+    .none_o(none_x)
   );
   pu_span #(.SideF(SideF)) u_rows (
-    .mean_i(conic_i.mean_y), .extent_i(conic_i.extent_y), .most_i(most_y),
-    .first_o(first_y), .last_o(last_y), .none_o(none_y)
+    .mean_i(conic_i.mean_y),
+    .extent_i(conic_i.extent_y),
+    .most_i(most_y),
+    .first_o(first_y),
+    .last_o(last_y),
+    .none_o(none_y)
   );
 
   assign data              = conic_i.kind == pipegs_pkg::KindData;
@@ -129,8 +137,15 @@ module pu_expand #(
      conic_i.wide_m, conic_i.wide_e, conic_i.opacity,
      conic_i.mean_x, conic_i.mean_y, first_x_q, last_x_q, first_y_q, last_y_q};
   pipegs_sram_fifo #(.DataW(QueuedW), .Depth(Depth)) u_queue (
-    .clk_i, .rst_ni, .in_valid_i(give && data), .in_ready_o(room), .in_i(queueing),
-    .out_valid_o(queued_valid), .out_ready_i(done), .out_o(queued), .count_o(count)
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(give && data),
+    .in_ready_o(room),
+    .in_i(queueing),
+    .out_valid_o(queued_valid),
+    .out_ready_i(done),
+    .out_o(queued),
+    .count_o(count)
   );
   assign {shape, mean_x, mean_y, from_x, to_x, from_y, to_y} = queued[PlainW-1:0];
 
@@ -159,8 +174,14 @@ module pu_expand #(
   assign busy_o          = box_q != BoxFind || count != '0 || walking_q || out_valid_q;
 
   logic signed [PlacedW-1:0] placed_x, placed_y;
-  pipegs_saturate #(.InW(MovedW), .OutW(PlacedW)) u_placed_x (.in_i(x_q), .out_o(placed_x));
-  pipegs_saturate #(.InW(MovedW), .OutW(PlacedW)) u_placed_y (.in_i(y_q), .out_o(placed_y));
+  pipegs_saturate #(.InW(MovedW), .OutW(PlacedW)) u_placed_x (
+    .in_i(x_q),
+    .out_o(placed_x)
+  );
+  pipegs_saturate #(.InW(MovedW), .OutW(PlacedW)) u_placed_y (
+    .in_i(y_q),
+    .out_o(placed_y)
+  );
   always_comb begin
     placed = '0;
     placed.kind = colored_i.kind;
@@ -182,8 +203,15 @@ module pu_expand #(
     logic [pipegs_pkg::SideW-1:0] from_u, from_v;
     assign {from_tilt, from_u, from_v} = queued[QueuedW-1:PlainW];
     pu_touch #(.Side(pipegs_pkg::Window), .DataW(WayW)) u_touch (
-      .clk_i, .load_i(start), .dx_i((WayW'(x_start) <<< 1) - Middle), .dy_i((WayW'(y_start) <<< 1) - Middle),
-      .tilt_i(from_tilt), .side_u_i(from_u), .side_v_i(from_v), .step_i(move), .down_i(last_column),
+      .clk_i,
+      .load_i(start),
+      .dx_i((WayW'(x_start) <<< 1) - Middle),
+      .dy_i((WayW'(y_start) <<< 1) - Middle),
+      .tilt_i(from_tilt),
+      .side_u_i(from_u),
+      .side_v_i(from_v),
+      .step_i(move),
+      .down_i(last_column),
       .touches_o(touches)
     );
     assign queueing[QueuedW-1:PlainW] = {conic_i.tilt, conic_i.side_u, conic_i.side_v};
@@ -249,10 +277,18 @@ module pu_expand #(
 
 `ifndef SYNTHESIS
   pipegs_stream_check #(.DataW($bits(color_job_o))) u_check_color_job (
-    .clk_i, .rst_ni, .valid_i(color_job_valid_o), .ready_i(color_job_ready_i), .beat_i(color_job_o)
+    .clk_i,
+    .rst_ni,
+    .valid_i(color_job_valid_o),
+    .ready_i(color_job_ready_i),
+    .beat_i(color_job_o)
   );
   pipegs_stream_check #(.DataW($bits(placed_o))) u_check_placed (
-    .clk_i, .rst_ni, .valid_i(placed_valid_o), .ready_i(placed_ready_i), .beat_i(placed_o)
+    .clk_i,
+    .rst_ni,
+    .valid_i(placed_valid_o),
+    .ready_i(placed_ready_i),
+    .beat_i(placed_o)
   );
 `endif
 

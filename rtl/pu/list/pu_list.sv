@@ -58,8 +58,15 @@ module pu_list #(
   pipegs_pkg::payload_t        payload;
 
   pipegs_sram_fifo #(.DataW(pipegs_pkg::PayloadBits), .Depth(Places)) u_payload (
-    .clk_i, .rst_ni, .in_valid_i(payload_valid_i), .in_ready_o(payload_room), .in_i(payload_i),
-    .out_valid_o(payload_held), .out_ready_i(payload_take), .out_o(payload), .count_o(payload_count)
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(payload_valid_i),
+    .in_ready_o(payload_room),
+    .in_i(payload_i),
+    .out_valid_o(payload_held),
+    .out_ready_i(payload_take),
+    .out_o(payload),
+    .count_o(payload_count)
   );
   logic unused_payload;
   assign unused_payload = &{1'b0, payload_room, payload_held, payload_count};
@@ -73,21 +80,50 @@ module pu_list #(
 `endif
 
   pu_expand u_expand (
-    .clk_i, .rst_ni, .windows_i, .conic_valid_i, .conic_ready_o, .conic_i, .payload_i(payload),
+    .clk_i,
+    .rst_ni,
+    .windows_i,
+    .conic_valid_i,
+    .conic_ready_o,
+    .conic_i,
+    .payload_i(payload),
     .payload_take_o(payload_take),
-    .color_job_valid_o(color_job_valid), .color_job_ready_i(color_job_ready), .color_job_o(color_job),
-    .colored_valid_i(colored_valid), .colored_ready_o(colored_ready), .colored_i(colored),
-    .placed_valid_o, .placed_ready_i, .placed_o, .listed_valid_o, .listed_o, .passes_o(expand_passes),
+    .color_job_valid_o(color_job_valid),
+    .color_job_ready_i(color_job_ready),
+    .color_job_o(color_job),
+    .colored_valid_i(colored_valid),
+    .colored_ready_o(colored_ready),
+    .colored_i(colored),
+    .placed_valid_o,
+    .placed_ready_i,
+    .placed_o,
+    .listed_valid_o,
+    .listed_o,
+    .passes_o(expand_passes),
     .busy_o(expand_busy)
   );
 
   pu_color u_color (
-    .clk_i, .rst_ni, .rotation_i, .colors_i, .sh_degree_i,
-    .job_valid_i(color_job_valid), .job_ready_o(color_job_ready), .job_i(color_job),
-    .mem_valid_o(color_valid_o), .mem_ready_i(color_ready_i), .mem_address_o(color_address_o),
-    .rsp_valid_i(color_rsp_valid_i), .rsp_data_i,
-    .colored_valid_o(colored_valid), .colored_ready_i(colored_ready), .colored_o(colored),
-    .bad_o, .bad_line_o, .busy_o(color_busy_o), .waiting_memory_o(color_waiting_o)
+    .clk_i,
+    .rst_ni,
+    .rotation_i,
+    .colors_i,
+    .sh_degree_i,
+    .job_valid_i(color_job_valid),
+    .job_ready_o(color_job_ready),
+    .job_i(color_job),
+    .mem_valid_o(color_valid_o),
+    .mem_ready_i(color_ready_i),
+    .mem_address_o(color_address_o),
+    .rsp_valid_i(color_rsp_valid_i),
+    .rsp_data_i,
+    .colored_valid_o(colored_valid),
+    .colored_ready_i(colored_ready),
+    .colored_o(colored),
+    .bad_o,
+    .bad_line_o,
+    .busy_o(color_busy_o),
+    .waiting_memory_o(color_waiting_o)
   );
 
   assign moved_o = (color_job_valid && color_job_ready) || (colored_valid && colored_ready) ||

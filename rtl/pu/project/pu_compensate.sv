@@ -70,7 +70,12 @@ module pu_compensate (
   logic [SumW-1:0]          sum;
 
   pipegs_log2 u_det   (.clk_i, .enable_i(in_valid_q), .m_i(in_q.det_m[MantissaW-1 -: SharpW]), .log2_o(log_det));
-  pipegs_log2 u_sharp (.clk_i, .enable_i(in_valid_q), .m_i(in_q.sharp_m), .log2_o(log_sharp));
+  pipegs_log2 u_sharp (
+    .clk_i,
+    .enable_i(in_valid_q),
+    .m_i(in_q.sharp_m),
+    .log2_o(log_sharp)
+  );
 
   assign apart = $signed({ApartW'(in_q.det_e) - ApartW'(in_q.sharp_e)}) * $signed(ApartW'(1) << LogF) +
                  $signed({{(ApartW - LogF){1'b0}}, log_det}) - $signed({{(ApartW - LogF){1'b0}}, log_sharp});
@@ -95,7 +100,11 @@ module pu_compensate (
 
 `ifndef SYNTHESIS
   pipegs_stream_check #(.DataW($bits(compensated_o))) u_check_compensated (
-    .clk_i, .rst_ni, .valid_i(compensated_valid_o), .ready_i(compensated_ready_i), .beat_i(compensated_o)
+    .clk_i,
+    .rst_ni,
+    .valid_i(compensated_valid_o),
+    .ready_i(compensated_ready_i),
+    .beat_i(compensated_o)
   );
 `endif
 

@@ -51,10 +51,19 @@ module pu_covariance (
   assign {late_valid, late} = slots;
 
   pu_phases #(.Depth(pipegs_pkg::CovarianceDepth), .Claim(pipegs_pkg::CovarianceClaim)) u_phases (
-    .clk_i, .rst_ni,
-    .in_valid_i(squares_valid_i), .in_ready_o(squares_ready_o),
-    .out_valid_o(covariance_valid_o), .out_ready_i(covariance_ready_i),
-    .take_o(take), .claim_o(claim), .step_o(step), .held_o(), .phase_o(phase), .slots_o(slots), .busy_o
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(squares_valid_i),
+    .in_ready_o(squares_ready_o),
+    .out_valid_o(covariance_valid_o),
+    .out_ready_i(covariance_ready_i),
+    .take_o(take),
+    .claim_o(claim),
+    .step_o(step),
+    .held_o(),
+    .phase_o(phase),
+    .slots_o(slots),
+    .busy_o
   );
 
   pipegs_pkg::squares_t    in_q;
@@ -131,10 +140,22 @@ module pu_covariance (
   end
 
   logic signed [FloatEW-1:0] a_e, b_e, c_e, det_e;
-  pipegs_saturate #(.InW(ExponentW), .OutW(FloatEW)) u_a_e (.in_i(a_e_q), .out_o(a_e));
-  pipegs_saturate #(.InW(ExponentW), .OutW(FloatEW)) u_b_e (.in_i(b_e_q), .out_o(b_e));
-  pipegs_saturate #(.InW(ExponentW), .OutW(FloatEW)) u_c_e (.in_i(c_e_q), .out_o(c_e));
-  pipegs_saturate #(.InW(ExponentW), .OutW(FloatEW)) u_det_e (.in_i(sum_e), .out_o(det_e));
+  pipegs_saturate #(.InW(ExponentW), .OutW(FloatEW)) u_a_e (
+    .in_i(a_e_q),
+    .out_o(a_e)
+  );
+  pipegs_saturate #(.InW(ExponentW), .OutW(FloatEW)) u_b_e (
+    .in_i(b_e_q),
+    .out_o(b_e)
+  );
+  pipegs_saturate #(.InW(ExponentW), .OutW(FloatEW)) u_c_e (
+    .in_i(c_e_q),
+    .out_o(c_e)
+  );
+  pipegs_saturate #(.InW(ExponentW), .OutW(FloatEW)) u_det_e (
+    .in_i(sum_e),
+    .out_o(det_e)
+  );
 
   always_ff @(posedge clk_i) begin
     if (take) in_q <= squares_i;
@@ -183,7 +204,10 @@ module pu_covariance (
     localparam int unsigned SharpW = pipegs_pkg::SharpW;
     logic        [SharpW-1:0]  sharp_m_q;
     logic signed [FloatEW-1:0] d0_e, sharp_e_q;
-    pipegs_saturate #(.InW(ExponentW), .OutW(FloatEW)) u_d0_e (.in_i(d0_e_q), .out_o(d0_e));
+    pipegs_saturate #(.InW(ExponentW), .OutW(FloatEW)) u_d0_e (
+      .in_i(d0_e_q),
+      .out_o(d0_e)
+    );
     always_ff @(posedge clk_i) begin
       if (claim) begin
         sharp_m_q <= in_q.kind == pipegs_pkg::KindData ? d0_m_q[MantissaW-1 -: SharpW] : '0;

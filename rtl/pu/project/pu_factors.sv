@@ -47,10 +47,19 @@ module pu_factors (
   assign {late_valid, late, next_valid, next} = slots;
 
   pu_phases #(.Depth(pipegs_pkg::FactorsDepth), .Claim(pipegs_pkg::FactorsClaim)) u_phases (
-    .clk_i, .rst_ni,
-    .in_valid_i(jacobian_valid_i), .in_ready_o(jacobian_ready_o),
-    .out_valid_o(factors_valid_o), .out_ready_i(factors_ready_i),
-    .take_o(take), .claim_o(claim), .step_o(step), .held_o(), .phase_o(phase), .slots_o(slots), .busy_o
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(jacobian_valid_i),
+    .in_ready_o(jacobian_ready_o),
+    .out_valid_o(factors_valid_o),
+    .out_ready_i(factors_ready_i),
+    .take_o(take),
+    .claim_o(claim),
+    .step_o(step),
+    .held_o(),
+    .phase_o(phase),
+    .slots_o(slots),
+    .busy_o
   );
 
   pipegs_pkg::jacobian_t in_q;

@@ -50,10 +50,19 @@ module pu_jacobian (
   assign {last_valid, last, sum_valid, sum} = slots;
 
   pu_phases #(.Depth(pipegs_pkg::JacobianDepth), .Claim(pipegs_pkg::JacobianClaim)) u_phases (
-    .clk_i, .rst_ni,
-    .in_valid_i(oriented_valid_i), .in_ready_o(oriented_ready_o),
-    .out_valid_o(jacobian_valid_o), .out_ready_i(jacobian_ready_i),
-    .take_o(take), .claim_o(claim), .step_o(step), .held_o(), .phase_o(phase), .slots_o(slots), .busy_o
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(oriented_valid_i),
+    .in_ready_o(oriented_ready_o),
+    .out_valid_o(jacobian_valid_o),
+    .out_ready_i(jacobian_ready_i),
+    .take_o(take),
+    .claim_o(claim),
+    .step_o(step),
+    .held_o(),
+    .phase_o(phase),
+    .slots_o(slots),
+    .busy_o
   );
 
   pipegs_pkg::oriented_t in_q;
@@ -106,8 +115,16 @@ module pu_jacobian (
   logic        [ShiftW-1:0]    shift0, shift1;
   logic signed [FactorW-1:0]   m0, m1;
   logic signed [ExponentW-1:0] base, e0, e1, gain_e_q;
-  pipegs_normalize #(.DataW(SumW)) u_normalize0 (.in_i(sum0_q), .out_o(normal0), .shift_o(shift0));
-  pipegs_normalize #(.DataW(SumW)) u_normalize1 (.in_i(sum1_q), .out_o(normal1), .shift_o(shift1));
+  pipegs_normalize #(.DataW(SumW)) u_normalize0 (
+    .in_i(sum0_q),
+    .out_o(normal0),
+    .shift_o(shift0)
+  );
+  pipegs_normalize #(.DataW(SumW)) u_normalize1 (
+    .in_i(sum1_q),
+    .out_o(normal1),
+    .shift_o(shift1)
+  );
   assign m0 = normal0[SumW-1-:FactorW];
   assign m1 = normal1[SumW-1-:FactorW];
   assign base = last == 3'd7 ? gain_e_q : ExponentW'(Cut) - ExponentW'(RotationW - 2 + TanF);

@@ -40,10 +40,19 @@ module pu_orient (
   assign {sum_valid, sum} = slots;
 
   pu_phases #(.Depth(pipegs_pkg::OrientDepth), .Claim(pipegs_pkg::OrientClaim)) u_phases (
-    .clk_i, .rst_ni,
-    .in_valid_i(projected_valid_i), .in_ready_o(projected_ready_o),
-    .out_valid_o(oriented_valid_o), .out_ready_i(oriented_ready_i),
-    .take_o(take), .claim_o(claim), .step_o(step), .held_o(), .phase_o(phase), .slots_o(slots), .busy_o
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(projected_valid_i),
+    .in_ready_o(projected_ready_o),
+    .out_valid_o(oriented_valid_o),
+    .out_ready_i(oriented_ready_i),
+    .take_o(take),
+    .claim_o(claim),
+    .step_o(step),
+    .held_o(),
+    .phase_o(phase),
+    .slots_o(slots),
+    .busy_o
   );
 
   pipegs_pkg::projected_t projected_q;
@@ -114,7 +123,10 @@ module pu_orient (
   endfunction
 
   logic signed [RotationW-1:0] component;
-  pipegs_saturate #(.InW(SumW), .OutW(RotationW)) u_component (.in_i(round(hamilton, QuatW - 1)), .out_o(component));
+  pipegs_saturate #(.InW(SumW), .OutW(RotationW)) u_component (
+    .in_i(round(hamilton, QuatW - 1)),
+    .out_o(component)
+  );
 
   // --- R': phase 5 gives the diagonal, 6 and 7 the pairs around it -------------------------------------------------
   localparam logic signed [SumW-1:0] One = SumW'(1) <<< (2 * RotationF);
@@ -132,7 +144,10 @@ module pu_orient (
     end
   end
   for (genvar i = 0; i < 4; i += 1) begin : gen_entry
-    pipegs_saturate #(.InW(SumW), .OutW(RotationW)) u_entry (.in_i(round(twice[i], RotationF)), .out_o(entry[i]));
+    pipegs_saturate #(.InW(SumW), .OutW(RotationW)) u_entry (
+      .in_i(round(twice[i], RotationF)),
+      .out_o(entry[i])
+    );
   end
 
   always_ff @(posedge clk_i) begin

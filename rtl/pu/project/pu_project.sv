@@ -67,10 +67,19 @@ module pu_project (
   assign {level4_valid, level4, level3_valid, level3, level2_valid, level2, level1_valid, level1} = slots;
 
   pu_phases #(.Depth(pipegs_pkg::ProjectDepth), .Claim(pipegs_pkg::ProjectClaim)) u_phases (
-    .clk_i, .rst_ni,
-    .in_valid_i(visible_valid_i), .in_ready_o(visible_ready_o),
-    .out_valid_o(projected_valid_o), .out_ready_i(projected_ready_i),
-    .take_o(take), .claim_o(claim), .step_o(step), .held_o(held), .phase_o(phase), .slots_o(slots), .busy_o
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(visible_valid_i),
+    .in_ready_o(visible_ready_o),
+    .out_valid_o(projected_valid_o),
+    .out_ready_i(projected_ready_i),
+    .take_o(take),
+    .claim_o(claim),
+    .step_o(step),
+    .held_o(held),
+    .phase_o(phase),
+    .slots_o(slots),
+    .busy_o
   );
 
   pipegs_pkg::visible_t   in_q;
@@ -99,7 +108,11 @@ module pu_project (
   assign any = (in_q.view_x ^ (in_q.view_x >>> (ViewW - 1))) | (in_q.view_y ^ (in_q.view_y >>> (ViewW - 1))) |
                (in_q.view_z ^ (in_q.view_z >>> (ViewW - 1)));
   assign number = phase[0] ? in_q.view_z : phase[1] ? in_q.view_x : phase[2] ? in_q.view_y : any;
-  pipegs_normalize #(.DataW(ViewW)) u_normalize (.in_i(number), .out_o(normal), .shift_o(shift));
+  pipegs_normalize #(.DataW(ViewW)) u_normalize (
+    .in_i(number),
+    .out_o(normal),
+    .shift_o(shift)
+  );
 
   // --- z: cycle 1 --------------------------------------------------------------------------------------------------
   // Its mantissa in MantissaW bits, rounded to nearest and saturated; its leading one is bit ViewW - 2.
@@ -115,9 +128,12 @@ module pu_project (
   logic                 inv_valid;
   logic [MantissaW-1:0] inv, inv_q;
   pipegs_recip u_recip (
-    .clk_i, .rst_ni,
-    .in_valid_i(step && level1_valid && level1 == 3'd0), .in_i(z_m),
-    .out_valid_o(inv_valid), .out_o(inv)
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(step && level1_valid && level1 == 3'd0),
+    .in_i(z_m),
+    .out_valid_o(inv_valid),
+    .out_o(inv)
   );
 
   logic [ExpW:0]         z_log;              // floor(log2 z) in world units
@@ -161,7 +177,10 @@ module pu_project (
     assign bound = $signed(WideW'(limit));
     assign tan   = tan_rounded > bound ? TanW'(bound) : tan_rounded < -bound ? TanW'(-bound) : TanW'(tan_rounded);
   end else begin : gen_format
-    pipegs_saturate #(.InW(WideW), .OutW(TanW)) u_tan (.in_i(tan_rounded), .out_o(tan));
+    pipegs_saturate #(.InW(WideW), .OutW(TanW)) u_tan (
+      .in_i(tan_rounded),
+      .out_o(tan)
+    );
   end
 
   // --- means: shifted in cycles 9 and 10, rounded, moved to the window and saturated in 10 and 11 ------------------
@@ -185,7 +204,10 @@ module pu_project (
     assign center = MeanW'((fine + FineW'(1)) >>> 1);
   end
   assign mean_wide = ((pixel_q + PixelW'(1)) >>> 1) + PixelW'(offset_q);
-  pipegs_saturate #(.InW(PixelW), .OutW(MeanW)) u_mean (.in_i(mean_wide), .out_o(mean));
+  pipegs_saturate #(.InW(PixelW), .OutW(MeanW)) u_mean (
+    .in_i(mean_wide),
+    .out_o(mean)
+  );
 
   // --- direction: cycles 5 to 7, the shift that leaves the largest component normalised ----------------------------
   logic signed [ViewW-1:0] component;

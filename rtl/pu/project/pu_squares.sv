@@ -43,10 +43,19 @@ module pu_squares (
   assign {write_valid, write, sum_valid, sum} = slots;
 
   pu_phases #(.Depth(pipegs_pkg::SquaresDepth), .Claim(pipegs_pkg::SquaresClaim)) u_phases (
-    .clk_i, .rst_ni,
-    .in_valid_i(factors_valid_i), .in_ready_o(factors_ready_o),
-    .out_valid_o(squares_valid_o), .out_ready_i(squares_ready_i),
-    .take_o(take), .claim_o(claim), .step_o(step), .held_o(), .phase_o(phase), .slots_o(slots), .busy_o
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(factors_valid_i),
+    .in_ready_o(factors_ready_o),
+    .out_valid_o(squares_valid_o),
+    .out_ready_i(squares_ready_i),
+    .take_o(take),
+    .claim_o(claim),
+    .step_o(step),
+    .held_o(),
+    .phase_o(phase),
+    .slots_o(slots),
+    .busy_o
   );
 
   pipegs_pkg::factors_t in_q;
@@ -73,7 +82,11 @@ module pu_squares (
   logic signed [FactorW-1:0]   m_q;
   logic signed [ExponentW-1:0] less_q;
   assign ready = sum == 3'd3 || sum == 3'd6 ? sum0_q : spare_q;
-  pipegs_normalize #(.DataW(SumW)) u_normalize (.in_i(ready), .out_o(normal), .shift_o(shift));
+  pipegs_normalize #(.DataW(SumW)) u_normalize (
+    .in_i(ready),
+    .out_o(normal),
+    .shift_o(shift)
+  );
 
   logic signed [SumW-1:0] wide0, wide1;
   assign wide0 = SumW'(product0_q);

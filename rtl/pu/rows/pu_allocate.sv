@@ -85,8 +85,15 @@ module pu_allocate #(
   logic                       take, take_end, fits, room, decided, local_lines, spills;
 
   pu_done u_done (
-    .clk_i, .rst_ni, .windows_i, .restart_i, .advance_i(take_end && tiles_i.kind == pipegs_pkg::KindWindowEnd),
-    .done_i, .done_x_i, .done_y_i, .done_o(done)
+    .clk_i,
+    .rst_ni,
+    .windows_i,
+    .restart_i,
+    .advance_i(take_end && tiles_i.kind == pipegs_pkg::KindWindowEnd),
+    .done_i,
+    .done_x_i,
+    .done_y_i,
+    .done_o(done)
   );
 
   assign tiles_ready_o = state_q == StateTake && ended_q != EndedW'(Layers);
@@ -244,10 +251,18 @@ module pu_allocate #(
             SumW'(own_q) + SumW'(count_q) <= SumW'(pipegs_pkg::AlphaLines))
     else $error("pu_allocate: the alphas of a layer do not fit, and Overflow is 0");
   pipegs_stream_check #(.DataW($bits(color_job_o)), .Proven(1)) u_check_color_job (
-    .clk_i, .rst_ni, .valid_i(color_job_valid_o), .ready_i(color_job_ready_i), .beat_i(color_job_o)
+    .clk_i,
+    .rst_ni,
+    .valid_i(color_job_valid_o),
+    .ready_i(color_job_ready_i),
+    .beat_i(color_job_o)
   );
   pipegs_stream_check #(.DataW($bits(row_job_o)), .Proven(1)) u_check_row_job (
-    .clk_i, .rst_ni, .valid_i(row_job_valid_o), .ready_i(row_job_ready_i), .beat_i(row_job_o)
+    .clk_i,
+    .rst_ni,
+    .valid_i(row_job_valid_o),
+    .ready_i(row_job_ready_i),
+    .beat_i(row_job_o)
   );
 `endif
 

@@ -17,8 +17,16 @@ module pu_alpha (
 
   pipegs_pkg::exponent_t exponent, exponent_q;
 
-  pu_clamp u_clamp (.power_i, .exponent_o(exponent));
+  pu_clamp u_clamp (
+    .power_i,
+    .exponent_o(exponent)
+  );
   always_ff @(posedge clk_i) if (enable_clamp_i) exponent_q <= exponent;
-  pu_code u_code (.clk_i, .enable_i(enable_exp_i), .exponent_i(exponent_q), .code_o);
+  pu_code u_code (
+    .clk_i,
+    .enable_i(enable_exp_i),
+    .exponent_i(exponent_q),
+    .code_o
+  );
 
 endmodule

@@ -80,47 +80,113 @@ module pu_cache #(
   logic [LineW-1:0]        alphas_line;
 
   pu_allocate u_allocate (
-    .clk_i, .rst_ni, .windows_i, .restart_i, .tiles_valid_i, .tiles_ready_o, .tiles_i, .payload_i,
-    .row_job_valid_o(row_job_valid), .row_job_ready_i(row_job_ready), .row_job_o(row_job),
-    .color_job_valid_o(color_job_valid), .color_job_ready_i(color_job_ready), .color_job_o(color_job),
-    .done_i, .done_x_i, .done_y_i, .line_free_i, .layer_free_i,
-    .overflowed_o, .waiting_o, .active_o(allocate_active)
+    .clk_i,
+    .rst_ni,
+    .windows_i,
+    .restart_i,
+    .tiles_valid_i,
+    .tiles_ready_o,
+    .tiles_i,
+    .payload_i,
+    .row_job_valid_o(row_job_valid),
+    .row_job_ready_i(row_job_ready),
+    .row_job_o(row_job),
+    .color_job_valid_o(color_job_valid),
+    .color_job_ready_i(color_job_ready),
+    .color_job_o(color_job),
+    .done_i,
+    .done_x_i,
+    .done_y_i,
+    .line_free_i,
+    .layer_free_i,
+    .overflowed_o,
+    .waiting_o,
+    .active_o(allocate_active)
   );
 
   pipegs_sram_fifo #(.DataW(pipegs_pkg::RowJobBits), .Depth(pipegs_pkg::RowJobs)) u_jobs (
-    .clk_i, .rst_ni, .in_valid_i(row_job_valid), .in_ready_o(row_job_ready), .in_i(row_job),
-    .out_valid_o(queued_valid), .out_ready_i(queued_ready), .out_o(queued), .count_o(job_count)
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(row_job_valid),
+    .in_ready_o(row_job_ready),
+    .in_i(row_job),
+    .out_valid_o(queued_valid),
+    .out_ready_i(queued_ready),
+    .out_o(queued),
+    .count_o(job_count)
   );
 
   pu_rows u_rows (
-    .clk_i, .rst_ni, .row_job_valid_i(queued_valid), .row_job_ready_o(queued_ready), .row_job_i(queued),
-    .alphas_valid_o(alphas_valid), .alphas_ready_i(alphas_ready), .alphas_o(alphas), .line_o(alphas_line),
+    .clk_i,
+    .rst_ni,
+    .row_job_valid_i(queued_valid),
+    .row_job_ready_o(queued_ready),
+    .row_job_i(queued),
+    .alphas_valid_o(alphas_valid),
+    .alphas_ready_i(alphas_ready),
+    .alphas_o(alphas),
+    .line_o(alphas_line),
     .active_o(rows_busy_o)
   );
 
   pu_spill u_spill (
-    .clk_i, .rst_ni, .overflow_i, .unit_i,
-    .alphas_valid_i(alphas_valid), .alphas_ready_o(alphas_ready), .alphas_i(alphas),
-    .line_i(alphas_line), .store_write_o, .store_address_o, .store_line_o,
-    .mem_valid_o(spill_valid_o), .mem_ready_i(spill_ready_i), .mem_address_o(spill_address_o),
+    .clk_i,
+    .rst_ni,
+    .overflow_i,
+    .unit_i,
+    .alphas_valid_i(alphas_valid),
+    .alphas_ready_o(alphas_ready),
+    .alphas_i(alphas),
+    .line_i(alphas_line),
+    .store_write_o,
+    .store_address_o,
+    .store_line_o,
+    .mem_valid_o(spill_valid_o),
+    .mem_ready_i(spill_ready_i),
+    .mem_address_o(spill_address_o),
     .mem_data_o(spill_data_o),
-    .rows_end_valid_o(rows_end_valid), .rows_end_ready_i(rows_end_ready), .rows_end_kind_o(),
-    .full_o, .full_line_o, .active_o(spill_active)
+    .rows_end_valid_o(rows_end_valid),
+    .rows_end_ready_i(rows_end_ready),
+    .rows_end_kind_o(),
+    .full_o,
+    .full_line_o,
+    .active_o(spill_active)
   );
 
   pu_color u_color (
-    .clk_i, .rst_ni, .rotation_i, .colors_i, .sh_degree_i,
-    .job_valid_i(color_job_valid), .job_ready_o(color_job_ready), .job_i(color_job),
-    .mem_valid_o(color_valid_o), .mem_ready_i(color_ready_i), .mem_address_o(color_address_o),
-    .rsp_valid_i(color_rsp_valid_i), .rsp_data_i,
-    .colored_valid_o(colored_valid), .colored_ready_i(colored_ready), .colored_o(colored),
-    .bad_o, .bad_line_o, .busy_o(color_busy_o), .waiting_memory_o(color_waiting_o)
+    .clk_i,
+    .rst_ni,
+    .rotation_i,
+    .colors_i,
+    .sh_degree_i,
+    .job_valid_i(color_job_valid),
+    .job_ready_o(color_job_ready),
+    .job_i(color_job),
+    .mem_valid_o(color_valid_o),
+    .mem_ready_i(color_ready_i),
+    .mem_address_o(color_address_o),
+    .rsp_valid_i(color_rsp_valid_i),
+    .rsp_data_i,
+    .colored_valid_o(colored_valid),
+    .colored_ready_i(colored_ready),
+    .colored_o(colored),
+    .bad_o,
+    .bad_line_o,
+    .busy_o(color_busy_o),
+    .waiting_memory_o(color_waiting_o)
   );
 
   pu_join u_join (
-    .clk_i, .rst_ni, .colored_valid_i(colored_valid), .colored_ready_o(colored_ready), .colored_i(colored),
-    .rows_end_valid_i(rows_end_valid), .rows_end_ready_o(rows_end_ready),
-    .splat_valid_o, .splat_ready_i, .splat_o
+    .clk_i,
+    .rst_ni,
+    .colored_valid_i(colored_valid),
+    .colored_ready_o(colored_ready),
+    .colored_i(colored),
+    .rows_end_valid_i(rows_end_valid),
+    .rows_end_ready_o(rows_end_ready),
+    .splat_valid_o,
+    .splat_ready_i,
+    .splat_o
   );
 
   assign moved_o = (tiles_valid_i && tiles_ready_o) || (row_job_valid && row_job_ready) ||

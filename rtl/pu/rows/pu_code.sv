@@ -26,7 +26,10 @@ module pu_code (
   logic [CodeW-1:0]              halves, rounded;
   logic [AlphaW-1:0]             capped;
 
-  pipegs_exp2 u_exp2 (.fraction_i(exponent_i.fraction), .exponential_o(exponential));
+  pipegs_exp2 u_exp2 (
+    .fraction_i(exponent_i.fraction),
+    .exponential_o(exponential)
+  );
 
   always_ff @(posedge clk_i) begin
     if (enable_i) begin

@@ -29,15 +29,28 @@ module pu_done #(
 
   logic [WindowW-1:0] window_x, window_y;
   pipegs_window_walk u_walk (
-    .clk_i, .rst_ni, .first_x_i(windows_i.first_x), .first_y_i(windows_i.first_y), .last_x_i(windows_i.last_x),
-    .start_i(restart_i), .advance_i, .x_o(window_x), .y_o(window_y), .next_x_o(), .next_y_o(), .row_ends_o()
+    .clk_i,
+    .rst_ni,
+    .first_x_i(windows_i.first_x),
+    .first_y_i(windows_i.first_y),
+    .last_x_i(windows_i.last_x),
+    .start_i(restart_i),
+    .advance_i,
+    .x_o(window_x),
+    .y_o(window_y),
+    .next_x_o(),
+    .next_y_o(),
+    .row_ends_o()
   );
 
   logic [Regions-1:0] done_unit [Units];
   for (genvar j = 0; j < Units; j += 1) begin : gen_done
     logic [pipegs_pkg::MaskW-1:0] own;  // of each part
     logic                         here;
-    ru_own u_own (.unit_i(pipegs_pkg::UnitW'(j)), .own_o(own));
+    ru_own u_own (
+      .unit_i(pipegs_pkg::UnitW'(j)),
+      .own_o(own)
+    );
     assign here = done_x_i[j*WindowW +: WindowW] == window_x && done_y_i[j*WindowW +: WindowW] == window_y;
     assign done_unit[j] = here ? done_i[j*Regions +: Regions] & {pipegs_pkg::Parts{own}} : '0;
   end

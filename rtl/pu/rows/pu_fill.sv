@@ -51,30 +51,72 @@ module pu_fill #(
   pipegs_pkg::alphas_t  alphas;
 
   pu_lines u_lines (
-    .clk_i, .rst_ni, .unit_i, .restart_i, .tiles_valid_i, .tiles_ready_o, .tiles_i, .listed_i,
-    .row_job_valid_o(row_job_valid), .row_job_ready_i(row_job_ready), .row_job_o(row_job), .rows_end_i(rows_end),
-    .splat_valid_o, .splat_ready_i, .splat_o, .window_o(number_o), .busy_o(lines_busy)
+    .clk_i,
+    .rst_ni,
+    .unit_i,
+    .restart_i,
+    .tiles_valid_i,
+    .tiles_ready_o,
+    .tiles_i,
+    .listed_i,
+    .row_job_valid_o(row_job_valid),
+    .row_job_ready_i(row_job_ready),
+    .row_job_o(row_job),
+    .rows_end_i(rows_end),
+    .splat_valid_o,
+    .splat_ready_i,
+    .splat_o,
+    .window_o(number_o),
+    .busy_o(lines_busy)
   );
 
   pipegs_sram_fifo #(.DataW(pipegs_pkg::RowJobBits), .Depth(JobDepth)) u_jobs (
-    .clk_i, .rst_ni, .in_valid_i(row_job_valid), .in_ready_o(row_job_ready), .in_i(row_job),
-    .out_valid_o(queued_valid), .out_ready_i(queued_ready), .out_o(queued), .count_o(job_count)
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(row_job_valid),
+    .in_ready_o(row_job_ready),
+    .in_i(row_job),
+    .out_valid_o(queued_valid),
+    .out_ready_i(queued_ready),
+    .out_o(queued),
+    .count_o(job_count)
   );
 
   pu_rows u_rows (
-    .clk_i, .rst_ni, .row_job_valid_i(queued_valid), .row_job_ready_o(queued_ready), .row_job_i(queued),
-    .alphas_valid_o(alphas_valid), .alphas_ready_i(alphas_ready), .alphas_o(alphas), .line_o(alphas_line),
+    .clk_i,
+    .rst_ni,
+    .row_job_valid_i(queued_valid),
+    .row_job_ready_o(queued_ready),
+    .row_job_i(queued),
+    .alphas_valid_o(alphas_valid),
+    .alphas_ready_i(alphas_ready),
+    .alphas_o(alphas),
+    .line_o(alphas_line),
     .active_o(rows_busy_o)
   );
 
   pu_spill u_spill (
-    .clk_i, .rst_ni, .overflow_i, .unit_i, .alphas_valid_i(alphas_valid), .alphas_ready_o(alphas_ready),
-    .alphas_i(alphas), .line_i(alphas_line), .store_write_o(store_write),
-    .store_address_o(store_address), .store_line_o(store_line),
-    .mem_valid_o(spill_valid_o), .mem_ready_i(spill_ready_i), .mem_address_o(spill_address_o),
+    .clk_i,
+    .rst_ni,
+    .overflow_i,
+    .unit_i,
+    .alphas_valid_i(alphas_valid),
+    .alphas_ready_o(alphas_ready),
+    .alphas_i(alphas),
+    .line_i(alphas_line),
+    .store_write_o(store_write),
+    .store_address_o(store_address),
+    .store_line_o(store_line),
+    .mem_valid_o(spill_valid_o),
+    .mem_ready_i(spill_ready_i),
+    .mem_address_o(spill_address_o),
     .mem_data_o(spill_data_o),
-    .rows_end_valid_o(rows_end), .rows_end_ready_i(1'b1), .rows_end_kind_o(),
-    .full_o, .full_line_o, .active_o(spill_active)
+    .rows_end_valid_o(rows_end),
+    .rows_end_ready_i(1'b1),
+    .rows_end_kind_o(),
+    .full_o,
+    .full_line_o,
+    .active_o(spill_active)
   );
 
   assign moved_o = (row_job_valid && row_job_ready) || (queued_valid && queued_ready) || (alphas_valid && alphas_ready);

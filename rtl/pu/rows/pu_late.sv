@@ -74,7 +74,15 @@ module pu_late #(
   logic [$clog2(Depth+1)-1:0] count;
 
   pu_done u_done (
-    .clk_i, .rst_ni, .windows_i, .restart_i, .advance_i(window_end), .done_i, .done_x_i, .done_y_i, .done_o(done)
+    .clk_i,
+    .rst_ni,
+    .windows_i,
+    .restart_i,
+    .advance_i(window_end),
+    .done_i,
+    .done_x_i,
+    .done_y_i,
+    .done_o(done)
   );
 
   assign is_end        = tiles_q.kind != pipegs_pkg::KindData;
@@ -154,17 +162,38 @@ module pu_late #(
   end
 
   pipegs_sram_fifo #(.DataW(QueuedW), .Depth(Depth)) u_coeffs (
-    .clk_i, .rst_ni, .in_valid_i(leave && !drop), .in_ready_o(queued_room), .in_i(queued_in),
-    .out_valid_o(queued_valid), .out_ready_i(splat_valid_o && splat_ready_i), .out_o(queued), .count_o(count)
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(leave && !drop),
+    .in_ready_o(queued_room),
+    .in_i(queued_in),
+    .out_valid_o(queued_valid),
+    .out_ready_i(splat_valid_o && splat_ready_i),
+    .out_o(queued),
+    .count_o(count)
   );
 
   pu_color u_color (
-    .clk_i, .rst_ni, .rotation_i, .colors_i, .sh_degree_i,
-    .job_valid_i(job_valid), .job_ready_o(job_ready), .job_i(job),
-    .mem_valid_o(color_valid_o), .mem_ready_i(color_ready_i), .mem_address_o(color_address_o),
-    .rsp_valid_i(color_rsp_valid_i), .rsp_data_i,
-    .colored_valid_o(colored_valid), .colored_ready_i(colored_ready), .colored_o(colored),
-    .bad_o, .bad_line_o, .busy_o(color_busy_o), .waiting_memory_o(color_waiting_o)
+    .clk_i,
+    .rst_ni,
+    .rotation_i,
+    .colors_i,
+    .sh_degree_i,
+    .job_valid_i(job_valid),
+    .job_ready_o(job_ready),
+    .job_i(job),
+    .mem_valid_o(color_valid_o),
+    .mem_ready_i(color_ready_i),
+    .mem_address_o(color_address_o),
+    .rsp_valid_i(color_rsp_valid_i),
+    .rsp_data_i,
+    .colored_valid_o(colored_valid),
+    .colored_ready_i(colored_ready),
+    .colored_o(colored),
+    .bad_o,
+    .bad_line_o,
+    .busy_o(color_busy_o),
+    .waiting_memory_o(color_waiting_o)
   );
 
   always_comb begin
@@ -186,10 +215,18 @@ module pu_late #(
 
 `ifndef SYNTHESIS
   pipegs_stream_check #(.DataW($bits(splat_o))) u_check_splat (
-    .clk_i, .rst_ni, .valid_i(splat_valid_o), .ready_i(splat_ready_i), .beat_i(splat_o)
+    .clk_i,
+    .rst_ni,
+    .valid_i(splat_valid_o),
+    .ready_i(splat_ready_i),
+    .beat_i(splat_o)
   );
   pipegs_stream_check #(.DataW($bits(job))) u_check_job (
-    .clk_i, .rst_ni, .valid_i(job_valid), .ready_i(job_ready), .beat_i(job)
+    .clk_i,
+    .rst_ni,
+    .valid_i(job_valid),
+    .ready_i(job_ready),
+    .beat_i(job)
   );
 `endif
 

@@ -127,10 +127,18 @@ module pu_lines #(
 
 `ifndef SYNTHESIS
   pipegs_stream_check #(.DataW($bits(row_job_o))) u_check_row_job (
-    .clk_i, .rst_ni, .valid_i(row_job_valid_o), .ready_i(row_job_ready_i), .beat_i(row_job_o)
+    .clk_i,
+    .rst_ni,
+    .valid_i(row_job_valid_o),
+    .ready_i(row_job_ready_i),
+    .beat_i(row_job_o)
   );
   pipegs_stream_check #(.DataW($bits({splat_o, window_o}))) u_check_splat (
-    .clk_i, .rst_ni, .valid_i(splat_valid_o), .ready_i(splat_ready_i), .beat_i({splat_o, window_o})
+    .clk_i,
+    .rst_ni,
+    .valid_i(splat_valid_o),
+    .ready_i(splat_ready_i),
+    .beat_i({splat_o, window_o})
   );
 `endif
 

@@ -171,7 +171,11 @@ module pu_region (
 
 `ifndef SYNTHESIS
   pipegs_stream_check #(.DataW($bits(region_o))) u_check_region (
-    .clk_i, .rst_ni, .valid_i(region_valid_o), .ready_i(region_ready_i), .beat_i(region_o)
+    .clk_i,
+    .rst_ni,
+    .valid_i(region_valid_o),
+    .ready_i(region_ready_i),
+    .beat_i(region_o)
   );
 `endif
 

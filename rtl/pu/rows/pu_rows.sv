@@ -47,8 +47,15 @@ module pu_rows (
   pipegs_pkg::alphas_t              row_q, clamp_q, exp_q, alphas_q;
 
   pu_region u_region (
-    .clk_i, .rst_ni, .row_job_valid_i, .row_job_ready_o, .row_job_i,
-    .region_valid_o(region_valid), .region_ready_i(region_ready), .region_o(region), .busy_o(region_busy)
+    .clk_i,
+    .rst_ni,
+    .row_job_valid_i,
+    .row_job_ready_o,
+    .row_job_i,
+    .region_valid_o(region_valid),
+    .region_ready_i(region_ready),
+    .region_o(region),
+    .busy_o(region_busy)
   );
 
   assign move           = !alphas_valid_q || alphas_ready_i;
@@ -105,20 +112,37 @@ module pu_rows (
       logic signed [pipegs_pkg::GradientW-1:0] slope_init;
 
       pu_row_init #(.Dy(dy)) u_row_init (
-        .power_i(region.power), .slope_x_i(region.slope_x), .slope_y_i(region.slope_y),
-        .curve_x_i(region.curve_x), .curve_y_i(region.curve_y), .twist_i(region.twist),
-        .power_o(power_init), .slope_o(slope_init)
+        .power_i(region.power),
+        .slope_x_i(region.slope_x),
+        .slope_y_i(region.slope_y),
+        .curve_x_i(region.curve_x),
+        .curve_y_i(region.curve_y),
+        .twist_i(region.twist),
+        .power_o(power_init),
+        .slope_o(slope_init)
       );
 
       pu_row_unit u_row_unit (
-        .clk_i, .load_i(take), .power_i(power_init), .slope_i(slope_init),
-        .step_i(move && row_valid_q), .curve_i(curve_q), .power_o(power)
+        .clk_i,
+        .load_i(take),
+        .power_i(power_init),
+        .slope_i(slope_init),
+        .step_i(move && row_valid_q),
+        .curve_i(curve_q),
+        .power_o(power)
       );
     end else begin : gen_quadratic
       pu_power #(.Dy(dy)) u_power (
-        .clk_i, .load_i(take), .power_i(region.power), .slope_x_i(region.slope_x), .slope_y_i(region.slope_y),
-        .curve_x_i(region.curve_x), .curve_y_i(region.curve_y), .twist_i(region.twist),
-        .step_i(move && row_valid_q), .power_o(power)
+        .clk_i,
+        .load_i(take),
+        .power_i(region.power),
+        .slope_x_i(region.slope_x),
+        .slope_y_i(region.slope_y),
+        .curve_x_i(region.curve_x),
+        .curve_y_i(region.curve_y),
+        .twist_i(region.twist),
+        .step_i(move && row_valid_q),
+        .power_o(power)
       );
       logic unused_curve;
       assign unused_curve = &{1'b0, curve_q};
@@ -126,8 +150,11 @@ module pu_rows (
 
     for (genvar dx = 0; dx < Pixels; dx += 1) begin : gen_alpha
       pu_alpha u_alpha (
-        .clk_i, .enable_clamp_i(move && row_valid_q), .enable_exp_i(move && clamp_valid_q),
-        .power_i(power[dx*PowerW +: PowerW]), .code_o(codes[dx*AlphaW +: AlphaW])
+        .clk_i,
+        .enable_clamp_i(move && row_valid_q),
+        .enable_exp_i(move && clamp_valid_q),
+        .power_i(power[dx*PowerW +: PowerW]),
+        .code_o(codes[dx*AlphaW +: AlphaW])
       );
     end
 
@@ -139,7 +166,11 @@ module pu_rows (
 
 `ifndef SYNTHESIS
   pipegs_stream_check #(.DataW($bits({alphas_o, line_o}))) u_check_alphas (
-    .clk_i, .rst_ni, .valid_i(alphas_valid_o), .ready_i(alphas_ready_i), .beat_i({alphas_o, line_o})
+    .clk_i,
+    .rst_ni,
+    .valid_i(alphas_valid_o),
+    .ready_i(alphas_ready_i),
+    .beat_i({alphas_o, line_o})
   );
 `endif
 

@@ -140,10 +140,18 @@ module pu_spill #(
 
 `ifndef SYNTHESIS
   pipegs_stream_check #(.DataW($bits({mem_address_o, mem_data_o})), .Proven(1)) u_check_mem (
-    .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i({mem_address_o, mem_data_o})
+    .clk_i,
+    .rst_ni,
+    .valid_i(mem_valid_o),
+    .ready_i(mem_ready_i),
+    .beat_i({mem_address_o, mem_data_o})
   );
   pipegs_stream_check #(.DataW($bits(rows_end_kind_o))) u_check_rows_end (
-    .clk_i, .rst_ni, .valid_i(rows_end_valid_o), .ready_i(rows_end_ready_i), .beat_i(rows_end_kind_o)
+    .clk_i,
+    .rst_ni,
+    .valid_i(rows_end_valid_o),
+    .ready_i(rows_end_ready_i),
+    .beat_i(rows_end_kind_o)
   );
 `endif
 

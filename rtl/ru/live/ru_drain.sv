@@ -65,7 +65,9 @@ module ru_drain #(
   assign left  = held_q & ~chosen_q;
   assign first = left & wanted_i;
   pipegs_first_set #(.DataW(Slots)) u_next (
-    .mask_i(first != '0 ? first : left), .one_hot_o(next), .number_o(next_slot)
+    .mask_i(first != '0 ? first : left),
+    .one_hot_o(next),
+    .number_o(next_slot)
   );
   assign job_o         = chosen_q != '0 && (quiet_q || room);
   assign job_address_o = AddrW'({slot_q, row_q});
@@ -113,8 +115,18 @@ module ru_drain #(
   logic [OffsetW-1:0] offset, offset_q;  // of the job's word from the window's first line; _q: of the last cycle's
   logic               half, half_q, wide, wide_q, two, two_q, shown;
   ru_offset u_offset (
-    .raster_i, .stride_i, .columns_i(columns_q), .rows_i(rows_q), .region_i(region), .quarter_i(row_q),
-    .offset_o(offset), .half_o(half), .wide_o(wide), .shown_o(shown), .two_o(two), .more_o()
+    .raster_i,
+    .stride_i,
+    .columns_i(columns_q),
+    .rows_i(rows_q),
+    .region_i(region),
+    .quarter_i(row_q),
+    .offset_o(offset),
+    .half_o(half),
+    .wide_o(wide),
+    .shown_o(shown),
+    .two_o(two),
+    .more_o()
   );
   always_ff @(posedge clk_i) if (job_o) {offset_q, half_q, wide_q, two_q} <= {offset, half, wide, two};
 
@@ -132,18 +144,42 @@ module ru_drain #(
   end
   assign room = tags + {1'b0, flying_q[0]} != ($clog2(Depth + 1))'(Depth);
   pipegs_fifo #(.DataW(AddressW + 3), .Depth(Depth)) u_tags (
-    .clk_i, .rst_ni, .in_valid_i(flying_q[0]), .in_ready_o(tag_ready),
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(flying_q[0]),
+    .in_ready_o(tag_ready),
     .in_i({line_q + AddressW'(offset_q), half_q, wide_q, two_q}),
-    .out_valid_o(tag_valid), .out_ready_i(pop), .out_o({place, place_half, mem_wide_o, place_two}), .count_o(tags)
+    .out_valid_o(tag_valid),
+    .out_ready_i(pop),
+    .out_o({place, place_half, mem_wide_o, place_two}),
+    .count_o(tags)
   );
-  ru_pixels u_pixels (.word_i, .raster_i, .lines_o(lines));
+  ru_pixels u_pixels (
+    .word_i,
+    .raster_i,
+    .lines_o(lines)
+  );
   pipegs_fifo #(.DataW(LinesW), .Depth(Depth)) u_words (
-    .clk_i, .rst_ni, .in_valid_i(flying_q[2]), .in_ready_o(word_ready), .in_i(lines),
-    .out_valid_o(word_valid), .out_ready_i(pop), .out_o(word), .count_o(words)
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(flying_q[2]),
+    .in_ready_o(word_ready),
+    .in_i(lines),
+    .out_valid_o(word_valid),
+    .out_ready_i(pop),
+    .out_o(word),
+    .count_o(words)
   );
   ru_lines u_lines (
-    .raster_i, .stride_i, .first_i(place), .half_i(place_half), .second_i(second_q), .lines_i(word),
-    .address_o(mem_address_o), .halves_o(mem_halves_o), .data_o(mem_data_o)
+    .raster_i,
+    .stride_i,
+    .first_i(place),
+    .half_i(place_half),
+    .second_i(second_q),
+    .lines_i(word),
+    .address_o(mem_address_o),
+    .halves_o(mem_halves_o),
+    .data_o(mem_data_o)
   );
   assign mem_valid_o = word_valid;
   assign pop         = word_valid && mem_ready_i && (second_q || !place_two);
@@ -163,7 +199,11 @@ module ru_drain #(
   always_ff @(posedge clk_i) if (rst_ni) assert (!start_i || ready_o)
     else $error("ru_drain: a window came before the last one was handed over");
   pipegs_stream_check #(.DataW($bits({mem_address_o, mem_data_o}))) u_check_mem (
-    .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i({mem_address_o, mem_data_o})
+    .clk_i,
+    .rst_ni,
+    .valid_i(mem_valid_o),
+    .ready_i(mem_ready_i),
+    .beat_i({mem_address_o, mem_data_o})
   );
 `endif
 

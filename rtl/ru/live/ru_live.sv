@@ -138,16 +138,41 @@ module ru_live #(
   logic                         drained;
 
   ru_regions u_regions (
-    .clk_i, .rst_ni, .open_i(own_i & ~done_o), .hold_i(clear_q), .held_i(held_regions), .wants_o(wants),
-    .in_valid_i, .in_ready_o, .in_i,
-    .region_valid_o(region_valid), .region_ready_i(region_ready), .region_o(region), .color_o(region_color),
-    .end_valid_o(end_valid), .end_kind_o(end_kind), .end_ready_i(ended), .busy_o(regions_busy)
+    .clk_i,
+    .rst_ni,
+    .open_i(own_i & ~done_o),
+    .hold_i(clear_q),
+    .held_i(held_regions),
+    .wants_o(wants),
+    .in_valid_i,
+    .in_ready_o,
+    .in_i,
+    .region_valid_o(region_valid),
+    .region_ready_i(region_ready),
+    .region_o(region),
+    .color_o(region_color),
+    .end_valid_o(end_valid),
+    .end_kind_o(end_kind),
+    .end_ready_i(ended),
+    .busy_o(regions_busy)
   );
   ru_power u_power (
-    .clk_i, .rst_ni, .stopped_i(stopped),
-    .region_valid_i(region_valid), .region_ready_o(region_ready), .region_i(region), .color_i(region_color),
-    .out_push_o(half_valid), .out_room_i(half_ready), .out_live_o(half_live), .out_o(pairs), .out_half_o(half),
-    .out_region_o(half_region), .out_color_o(color), .out_index_o(half_index), .busy_o(power_busy)
+    .clk_i,
+    .rst_ni,
+    .stopped_i(stopped),
+    .region_valid_i(region_valid),
+    .region_ready_o(region_ready),
+    .region_i(region),
+    .color_i(region_color),
+    .out_push_o(half_valid),
+    .out_room_i(half_ready),
+    .out_live_o(half_live),
+    .out_o(pairs),
+    .out_half_o(half),
+    .out_region_o(half_region),
+    .out_color_o(color),
+    .out_index_o(half_index),
+    .busy_o(power_busy)
   );
   logic empty;
   assign empty         = end_valid && !power_busy && group_busy == '0;
@@ -172,12 +197,30 @@ module ru_live #(
     assign wanted_o[i] = (wants[i*Units +: Units] & own_i[i*Units +: Units]) != '0;
   end
   ru_drain u_drain (
-    .clk_i, .rst_ni, .own_i, .raster_i, .stride_i, .restart_i, .start_i(window_done_o), .line_i, .columns_i,
-    .rows_i, .outside_i(slots_out), .wanted_i(wanted_o | (joined_i ? pair_wanted_i : '0)),
-    .held_o(held), .ready_o(drained), .idle_o(drain_idle),
-    .job_o(job), .job_address_o(job_address), .word_i(word),
-    .mem_valid_o(store_valid_o), .mem_ready_i(store_ready_i), .mem_address_o(store_address_o),
-    .mem_halves_o(store_halves_o), .mem_wide_o(store_wide_o), .mem_data_o(store_data_o)
+    .clk_i,
+    .rst_ni,
+    .own_i,
+    .raster_i,
+    .stride_i,
+    .restart_i,
+    .start_i(window_done_o),
+    .line_i,
+    .columns_i,
+    .rows_i,
+    .outside_i(slots_out),
+    .wanted_i(wanted_o | (joined_i ? pair_wanted_i : '0)),
+    .held_o(held),
+    .ready_o(drained),
+    .idle_o(drain_idle),
+    .job_o(job),
+    .job_address_o(job_address),
+    .word_i(word),
+    .mem_valid_o(store_valid_o),
+    .mem_ready_i(store_ready_i),
+    .mem_address_o(store_address_o),
+    .mem_halves_o(store_halves_o),
+    .mem_wide_o(store_wide_o),
+    .mem_data_o(store_data_o)
   );
 
   // --- quads ---------------------------------------------------------------------------------------------------------
@@ -188,23 +231,50 @@ module ru_live #(
     logic [BankW-1:0] rdata, wdata;
 
     ru_quads #(.Group(g)) u_quads (
-      .clk_i, .rst_ni, .in_valid_i(half_valid[g]), .in_ready_o(half_ready[g]), .in_live_i(half_live[2*g +: 2]),
-      .in_i(pairs[g*PairW +: PairW]), .in_half_i(half), .in_region_i(half_region), .in_color_i(color),
-      .in_index_i(half_index), .drain_i(job), .drain_address_i(job_address),
-      .clear_i(clear_q), .outside_i(outside[g*Words +: Words]), .columns_i, .rows_i,
+      .clk_i,
+      .rst_ni,
+      .in_valid_i(half_valid[g]),
+      .in_ready_o(half_ready[g]),
+      .in_live_i(half_live[2*g +: 2]),
+      .in_i(pairs[g*PairW +: PairW]),
+      .in_half_i(half),
+      .in_region_i(half_region),
+      .in_color_i(color),
+      .in_index_i(half_index),
+      .drain_i(job),
+      .drain_address_i(job_address),
+      .clear_i(clear_q),
+      .outside_i(outside[g*Words +: Words]),
+      .columns_i,
+      .rows_i,
       .stopped_o(stopped[g*Words +: Words]),
-      .read_o(read), .raddr_o(raddr), .rdata_i(rdata),
-      .write_o(write), .waddr_o(waddr), .wdata_o(wdata), .issue_o(group_issue[g]), .busy_o(group_busy[g]),
-      .tap_quad_valid_o(tap_line_valid_o[g]), .tap_quad_index_o(tap_line_index_o[g*TapIndexW +: TapIndexW]),
-      .tap_quad_region_o(tap_line_region_o[g*RegionW +: RegionW]), .tap_quad_row_o(tap_line_quarter_o[2*g +: 2]),
+      .read_o(read),
+      .raddr_o(raddr),
+      .rdata_i(rdata),
+      .write_o(write),
+      .waddr_o(waddr),
+      .wdata_o(wdata),
+      .issue_o(group_issue[g]),
+      .busy_o(group_busy[g]),
+      .tap_quad_valid_o(tap_line_valid_o[g]),
+      .tap_quad_index_o(tap_line_index_o[g*TapIndexW +: TapIndexW]),
+      .tap_quad_region_o(tap_line_region_o[g*RegionW +: RegionW]),
+      .tap_quad_row_o(tap_line_quarter_o[2*g +: 2]),
       .tap_quad_o(tap_line_o[g*pipegs_pkg::TapLineW +: pipegs_pkg::TapLineW]),
-      .tap_word_valid_o(tap_word_valid_o[g]), .tap_word_region_o(tap_word_region_o[g*RegionW +: RegionW]),
+      .tap_word_valid_o(tap_word_valid_o[g]),
+      .tap_word_region_o(tap_word_region_o[g*RegionW +: RegionW]),
       .tap_word_row_o(tap_word_quarter_o[2*g +: 2])
     );
     assign tap_word_o[g*BankW +: BankW] = wdata;
 
     pipegs_sram #(.DataW(BankW), .Depth(Words)) u_pixels (
-      .clk_i, .write_i(write), .waddr_i(waddr), .wdata_i(wdata), .read_i(read), .raddr_i(raddr), .rdata_o(rdata)
+      .clk_i,
+      .write_i(write),
+      .waddr_i(waddr),
+      .wdata_i(wdata),
+      .read_i(read),
+      .raddr_i(raddr),
+      .rdata_o(rdata)
     );
     assign banks[g*BankW +: BankW] = rdata;
   end

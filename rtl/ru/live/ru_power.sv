@@ -69,9 +69,14 @@ module ru_power #(
     logic signed [PowerW-1:0]    power;
     logic signed [GradientW-1:0] slope;
     pu_row_init #(.Dy(i)) u_init (
-      .power_i(region_i.power), .slope_x_i(region_i.slope_x), .slope_y_i(region_i.slope_y),
-      .curve_x_i(region_i.curve_x), .curve_y_i(region_i.curve_y), .twist_i(region_i.twist),
-      .power_o(power), .slope_o(slope)
+      .power_i(region_i.power),
+      .slope_x_i(region_i.slope_x),
+      .slope_y_i(region_i.slope_y),
+      .curve_x_i(region_i.curve_x),
+      .curve_y_i(region_i.curve_y),
+      .twist_i(region_i.twist),
+      .power_o(power),
+      .slope_o(slope)
     );
     always_ff @(posedge clk_i) begin
       if (region_valid_i && rows_move) begin
@@ -113,10 +118,16 @@ module ru_power #(
       assign bend = bend_q[(Column-2)*BendW +: BendW];
     end
     assign power = start + PowerW'(slope) * PowerW'(Column) + PowerW'(bend);
-    pu_clamp u_clamp (.power_i(power), .exponent_o(exponents[i*ExponentW +: ExponentW]));
+    pu_clamp u_clamp (
+      .power_i(power),
+      .exponent_o(exponents[i*ExponentW +: ExponentW])
+    );
     assign visible[i] = exponents[(i+1)*ExponentW-1];  // the highest field
   end
-  ru_slot u_slot (.region_i(rows_tag_q[ColorsW +: RegionW]), .slot_o(slot));
+  ru_slot u_slot (
+    .region_i(rows_tag_q[ColorsW +: RegionW]),
+    .slot_o(slot)
+  );
   for (genvar g = 0; g < 4; g += 1) begin : gen_stopped
     logic [3:0] rows;  // of the group, in the region
     assign rows = stopped_i[Slots*4*g + slot*4 +: 4];

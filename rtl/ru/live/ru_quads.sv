@@ -90,12 +90,21 @@ module ru_quads #(
   logic                       conflict;
 
   pipegs_fifo #(.DataW(QueuedW), .Depth(Depth)) u_queue (
-    .clk_i, .rst_ni, .in_valid_i, .in_ready_o,
+    .clk_i,
+    .rst_ni,
+    .in_valid_i,
+    .in_ready_o,
     .in_i({in_live_i, in_i, in_half_i, in_region_i, in_color_i, in_index_i}),
-    .out_valid_o(half_valid), .out_ready_i(pop), .out_o({live, pair, half, region, color, index}), .count_o(count)
+    .out_valid_o(half_valid),
+    .out_ready_i(pop),
+    .out_o({live, pair, half, region, color, index}),
+    .count_o(count)
   );
 
-  ru_slot u_slot (.region_i(region), .slot_o(slot));
+  ru_slot u_slot (
+    .region_i(region),
+    .slot_o(slot)
+  );
   assign second  = second_q || !live[0];
   assign row     = {half, second};
   assign address = AddrW'({slot, row});
@@ -188,7 +197,11 @@ module ru_quads #(
   // Cycle 2: which pixels of the quad lie outside the image.
   logic [1:0] column;  // Group + 2 row, modulo 4
   logic [PlaceW-1:0] region_column, region_row;
-  ru_place u_place (.region_i(region_2_q), .column_o(region_column), .row_o(region_row));
+  ru_place u_place (
+    .region_i(region_2_q),
+    .column_o(region_column),
+    .row_o(region_row)
+  );
   assign column = 2'(Group) ^ {row_2_q[0], 1'b0};
   always_comb begin
     logic [SideW-1:0] left, top;
@@ -205,7 +218,9 @@ module ru_quads #(
   logic [WordW-1:0] blended;
   for (genvar i = 0; i < Lanes; i += 1) begin : gen_lane
     pu_code u_code (
-      .clk_i, .enable_i(valid_1_q), .exponent_i(exponents_1_q[i*ExponentW +: ExponentW]),
+      .clk_i,
+      .enable_i(valid_1_q),
+      .exponent_i(exponents_1_q[i*ExponentW +: ExponentW]),
       .code_o(codes[i*AlphaW +: AlphaW])
     );
     ru_blend u_blend (

@@ -71,7 +71,11 @@ module ru_regions #(
   logic [IndexW-1:0]   index;
   logic [RegionW-1:0]  region;
 
-  pipegs_first_set #(.DataW(MaskW)) u_lowest (.mask_i(free), .one_hot_o(lowest), .number_o(index));
+  pipegs_first_set #(.DataW(MaskW)) u_lowest (
+    .mask_i(free),
+    .one_hot_o(lowest),
+    .number_o(index)
+  );
   if (pipegs_pkg::Parts > 1) begin : gen_part
     assign region    = {splat_q.part, index};
     assign part_open = open_i[splat_q.part*MaskW +: MaskW];
@@ -226,10 +230,18 @@ module ru_regions #(
 
 `ifndef SYNTHESIS
   pipegs_stream_check #(.DataW($bits(end_kind_o))) u_check_end (
-    .clk_i, .rst_ni, .valid_i(end_valid_o), .ready_i(end_ready_i), .beat_i(end_kind_o)
+    .clk_i,
+    .rst_ni,
+    .valid_i(end_valid_o),
+    .ready_i(end_ready_i),
+    .beat_i(end_kind_o)
   );
   pipegs_stream_check #(.DataW($bits({region_o, color_o}))) u_check_region (
-    .clk_i, .rst_ni, .valid_i(region_valid_o), .ready_i(region_ready_i), .beat_i({region_o, color_o})
+    .clk_i,
+    .rst_ni,
+    .valid_i(region_valid_o),
+    .ready_i(region_ready_i),
+    .beat_i({region_o, color_o})
   );
 `endif
 

@@ -37,7 +37,11 @@ module ru_offset #(
   logic [RowW-1:0]   row;
   logic [SideW:0]    rows, first, right;  // right: first column of the right one of the two regions
 
-  ru_place u_place (.region_i, .column_o(column), .row_o(region_row));
+  ru_place u_place (
+    .region_i,
+    .column_o(column),
+    .row_o(region_row)
+  );
   assign pair  = column >> 1;
   assign row   = {region_row, quarter_i, 1'b0};
   assign rows  = {1'b0, rows_i};

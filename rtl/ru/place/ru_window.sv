@@ -58,8 +58,18 @@ module ru_window (
   assign windows_x = WindowW'((SideW'(width_i) + SideW'(pipegs_pkg::Window - 1)) >> Shift);
 
   pipegs_window_walk u_walk (
-    .clk_i, .rst_ni, .first_x_i, .first_y_i, .last_x_i, .start_i(restart_i), .advance_i,
-    .x_o, .y_o, .next_x_o(x_d), .next_y_o(y_d), .row_ends_o(row_ends)
+    .clk_i,
+    .rst_ni,
+    .first_x_i,
+    .first_y_i,
+    .last_x_i,
+    .start_i(restart_i),
+    .advance_i,
+    .x_o,
+    .y_o,
+    .next_x_o(x_d),
+    .next_y_o(y_d),
+    .row_ends_o(row_ends)
   );
 
   always_comb begin
@@ -76,7 +86,11 @@ module ru_window (
   end
   for (genvar i = 0; i < pipegs_pkg::Regions; i += 1) begin : gen_region
     logic [PlaceW-1:0] column, row;
-    ru_place u_place (.region_i(pipegs_pkg::RegionW'(i)), .column_o(column), .row_o(row));
+    ru_place u_place (
+      .region_i(pipegs_pkg::RegionW'(i)),
+      .column_o(column),
+      .row_o(row)
+    );
     assign outside_d[i] = rows_out[row] || columns_out[column];
   end
 

@@ -37,8 +37,14 @@ module ru_pixels #(
     if (PixelW == 32) begin : gen_packed
       logic [29:0] code;
       for (genvar j = 0; j < 3; j += 1) begin : gen_channel
-        ru_unorm u_unorm (.color_i(word_i[(3*i+j)*RgbW +: RgbW]), .code_o(code[10*j +: 10]));
-        ru_byte u_byte (.code_i(code[10*j +: 10]), .byte_o(bytes[32*i+8*j +: 8]));
+        ru_unorm u_unorm (
+          .color_i(word_i[(3*i+j)*RgbW +: RgbW]),
+          .code_o(code[10*j +: 10])
+        );
+        ru_byte u_byte (
+          .code_i(code[10*j +: 10]),
+          .byte_o(bytes[32*i+8*j +: 8])
+        );
       end
       assign tiles[i*PixelW +: PixelW] = {2'b11, code};
     end else begin : gen_wide
@@ -49,7 +55,10 @@ module ru_pixels #(
       end
       for (genvar j = 0; j < 3; j += 1) begin : gen_channel
         assign tiles[i*PixelW+j*FieldW +: FieldW] = FieldW'(word_i[(3*i+j)*RgbW +: RgbW]) << (FieldW - RgbW);
-        ru_unorm #(.CodeW(8)) u_unorm (.color_i(word_i[(3*i+j)*RgbW +: RgbW]), .code_o(bytes[32*i+8*j +: 8]));
+        ru_unorm #(.CodeW(8)) u_unorm (
+          .color_i(word_i[(3*i+j)*RgbW +: RgbW]),
+          .code_o(bytes[32*i+8*j +: 8])
+        );
       end
     end
     assign bytes[32*i+24 +: 8] = '1;

@@ -140,7 +140,11 @@ module su_bitonic (
   always_ff @(posedge clk_i) if (rst_ni) assert (!load || fill_q < (ChannelW+1)'(Channels));
   always_ff @(posedge clk_i) if (rst_ni) assert (!(load && in_end_i) || (fill_q == '0 && in_last_i));
   pipegs_stream_check #(.DataW($bits({out_end_o, out_key_o, out_slot_o})), .Proven(1)) u_check_out (
-    .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i), .beat_i({out_end_o, out_key_o, out_slot_o})
+    .clk_i,
+    .rst_ni,
+    .valid_i(out_valid_o),
+    .ready_i(out_ready_i),
+    .beat_i({out_end_o, out_key_o, out_slot_o})
   );
 `endif
 

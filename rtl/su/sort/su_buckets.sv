@@ -87,8 +87,16 @@ module su_buckets (
 
   assign {job_high, job_low} = job_bucket_i;
   // A job takes a set's first words; whether it takes the very first one is all that hangs on its mark, a late signal.
-  pipegs_first_set #(.DataW(Words)) u_first_0 (.mask_i(held_q[Words-1:0]), .one_hot_o(), .number_o(first_0));
-  pipegs_first_set #(.DataW(Words)) u_first_1 (.mask_i(held_q[2*Words-1:Words]), .one_hot_o(), .number_o(first_1));
+  pipegs_first_set #(.DataW(Words)) u_first_0 (
+    .mask_i(held_q[Words-1:0]),
+    .one_hot_o(),
+    .number_o(first_0)
+  );
+  pipegs_first_set #(.DataW(Words)) u_first_1 (
+    .mask_i(held_q[2*Words-1:Words]),
+    .one_hot_o(),
+    .number_o(first_1)
+  );
   assign first_word = job_set_i ? first_1 : first_0;
   assign some_word  = job_valid_i && (job_set_i ? held_q[2*Words-1:Words] != '0 : held_q[Words-1:0] != '0) &&
                       (job_all_i || first_word < job_high ||
@@ -96,7 +104,11 @@ module su_buckets (
   always_comb begin
     for (int unsigned i = 0; i < WordBits; i += 1) below[i] = job_all_i || word_q != job_high || LowW'(i) < job_low;
   end
-  pipegs_first_set #(.DataW(WordBits)) u_bit (.mask_i(work_q), .one_hot_o(), .number_o(first_bit));
+  pipegs_first_set #(.DataW(WordBits)) u_bit (
+    .mask_i(work_q),
+    .one_hot_o(),
+    .number_o(first_bit)
+  );
   assign word_wanted = some_word && work_q == '0 && operation_q != Word;
   assign quiet       = !some_word && work_q == '0 && operation_q == None;  // an insertion may still fill a bucket
 

@@ -72,11 +72,28 @@ module su_external #(
   logic               restart, merge_begin, written, lines_active;
 
   su_runs u_runs (
-    .clk_i, .rst_ni, .start_i, .open_i, .listed_i, .closed_i, .count_i, .done_o(form_done),
-    .read_valid_o(form_read), .read_ready_i(forms && read_ready_i), .read_line_o(form_line),
-    .line_valid_i(forms && line_valid_i), .line_ready_o(form_ready), .line_i,
-    .write_o(form_write), .write_slot_o(form_slot), .write_key_o(form_key), .write_number_o(form_number),
-    .group_o, .group_count_o, .written_i(written), .active_o(form_active)
+    .clk_i,
+    .rst_ni,
+    .start_i,
+    .open_i,
+    .listed_i,
+    .closed_i,
+    .count_i,
+    .done_o(form_done),
+    .read_valid_o(form_read),
+    .read_ready_i(forms && read_ready_i),
+    .read_line_o(form_line),
+    .line_valid_i(forms && line_valid_i),
+    .line_ready_o(form_ready),
+    .line_i,
+    .write_o(form_write),
+    .write_slot_o(form_slot),
+    .write_key_o(form_key),
+    .write_number_o(form_number),
+    .group_o,
+    .group_count_o,
+    .written_i(written),
+    .active_o(form_active)
   );
 
   logic               setup, merge, merged, levels_active;
@@ -85,11 +102,32 @@ module su_external #(
   logic [LevelW-1:0]  tree;
 
   su_levels u_levels (
-    .clk_i, .rst_ni, .start_i, .run_i(group_o), .formed_i(form_done && open_i), .count_i, .done_i,
-    .setup_o(setup), .setup_way_o(setup_way), .setup_line_o(setup_line), .setup_keys_o(setup_keys),
-    .merge_o(merge), .tree_o(tree), .merged_i(merged), .restart_o(restart), .begin_o(merge_begin),
-    .begin_keys_o(merge_keys), .written_i(written), .written_lines_i(run_line), .way_i(read_way_o),
-    .way_area_o(read_area_o), .write_area_o(run_area_o), .forms_o(forms), .keep_o, .sent_o, .active_o(levels_active)
+    .clk_i,
+    .rst_ni,
+    .start_i,
+    .run_i(group_o),
+    .formed_i(form_done && open_i),
+    .count_i,
+    .done_i,
+    .setup_o(setup),
+    .setup_way_o(setup_way),
+    .setup_line_o(setup_line),
+    .setup_keys_o(setup_keys),
+    .merge_o(merge),
+    .tree_o(tree),
+    .merged_i(merged),
+    .restart_o(restart),
+    .begin_o(merge_begin),
+    .begin_keys_o(merge_keys),
+    .written_i(written),
+    .written_lines_i(run_line),
+    .way_i(read_way_o),
+    .way_area_o(read_area_o),
+    .write_area_o(run_area_o),
+    .forms_o(forms),
+    .keep_o,
+    .sent_o,
+    .active_o(levels_active)
   );
 
   logic               ways_read, ways_ready, ways_write, tree_read, tree_release, ways_active, tree_active;
@@ -100,26 +138,68 @@ module su_external #(
   logic [KeyW-1:0]    ways_key;
 
   su_ways u_ways (
-    .clk_i, .rst_ni, .setup_i(setup), .setup_way_i(setup_way), .setup_line_i(setup_line), .setup_keys_i(setup_keys),
-    .read_valid_o(ways_read), .read_ready_i(!forms && read_ready_i), .read_line_o(ways_line), .read_way_o,
-    .line_valid_i(!forms && line_valid_i), .line_ready_o(ways_ready), .line_way_i, .line_i,
-    .write_o(ways_write), .write_slot_o(ways_slot), .write_key_o(ways_key), .write_number_o(ways_number),
-    .way_i(way), .ready_o(ready), .release_i(tree_release), .active_o(ways_active)
+    .clk_i,
+    .rst_ni,
+    .setup_i(setup),
+    .setup_way_i(setup_way),
+    .setup_line_i(setup_line),
+    .setup_keys_i(setup_keys),
+    .read_valid_o(ways_read),
+    .read_ready_i(!forms && read_ready_i),
+    .read_line_o(ways_line),
+    .read_way_o,
+    .line_valid_i(!forms && line_valid_i),
+    .line_ready_o(ways_ready),
+    .line_way_i,
+    .line_i,
+    .write_o(ways_write),
+    .write_slot_o(ways_slot),
+    .write_key_o(ways_key),
+    .write_number_o(ways_number),
+    .way_i(way),
+    .ready_o(ready),
+    .release_i(tree_release),
+    .active_o(ways_active)
   );
 
   su_tree u_tree (
-    .clk_i, .rst_ni, .setup_i(setup), .setup_way_i(setup_way), .setup_keys_i(setup_keys), .start_i(merge),
-    .levels_i(tree), .way_o(way), .ready_i(ready), .release_o(tree_release),
-    .read_o(tree_read), .read_slot_o(tree_slot), .key_i(pool_key_i),
-    .item_valid_o, .item_ready_i, .item_key_o, .item_slot_o, .idle_o(merged), .active_o(tree_active)
+    .clk_i,
+    .rst_ni,
+    .setup_i(setup),
+    .setup_way_i(setup_way),
+    .setup_keys_i(setup_keys),
+    .start_i(merge),
+    .levels_i(tree),
+    .way_o(way),
+    .ready_i(ready),
+    .release_o(tree_release),
+    .read_o(tree_read),
+    .read_slot_o(tree_slot),
+    .key_i(pool_key_i),
+    .item_valid_o,
+    .item_ready_i,
+    .item_key_o,
+    .item_slot_o,
+    .idle_o(merged),
+    .active_o(tree_active)
   );
 
   su_lines u_lines (
-    .clk_i, .rst_ni, .restart_i(restart), .begin_i(group_o || merge_begin),
+    .clk_i,
+    .rst_ni,
+    .restart_i(restart),
+    .begin_i(group_o || merge_begin),
     .count_i(forms ? SlotW'(group_count_o) : merge_keys),
-    .key_valid_i(kept_valid_i), .key_ready_o(kept_ready_o), .key_i(kept_key_i), .number_i(kept_number_i),
-    .line_valid_o(run_valid_o), .line_ready_i(run_ready_i), .line_number_o(run_line), .line_o(run_o),
-    .idle_o(written), .active_o(lines_active)
+    .key_valid_i(kept_valid_i),
+    .key_ready_o(kept_ready_o),
+    .key_i(kept_key_i),
+    .number_i(kept_number_i),
+    .line_valid_o(run_valid_o),
+    .line_ready_i(run_ready_i),
+    .line_number_o(run_line),
+    .line_o(run_o),
+    .idle_o(written),
+    .active_o(lines_active)
   );
 
   assign read_valid_o = form_read || ways_read;
@@ -133,14 +213,25 @@ module su_external #(
 
 `ifndef SYNTHESIS
   pipegs_stream_check #(.DataW($bits({read_list_o, read_area_o, read_line_o, read_way_o}))) u_check_read (
-    .clk_i, .rst_ni, .valid_i(read_valid_o), .ready_i(read_ready_i),
+    .clk_i,
+    .rst_ni,
+    .valid_i(read_valid_o),
+    .ready_i(read_ready_i),
     .beat_i({read_list_o, read_area_o, read_line_o, read_way_o})
   );
   pipegs_stream_check #(.DataW($bits(line_i))) u_check_runs (
-    .clk_i, .rst_ni, .valid_i(forms && line_valid_i), .ready_i(form_ready), .beat_i(line_i)
+    .clk_i,
+    .rst_ni,
+    .valid_i(forms && line_valid_i),
+    .ready_i(form_ready),
+    .beat_i(line_i)
   );
   pipegs_stream_check #(.DataW($bits(line_i))) u_check_ways (
-    .clk_i, .rst_ni, .valid_i(!forms && line_valid_i), .ready_i(ways_ready), .beat_i(line_i)
+    .clk_i,
+    .rst_ni,
+    .valid_i(!forms && line_valid_i),
+    .ready_i(ways_ready),
+    .beat_i(line_i)
   );
 `endif
 

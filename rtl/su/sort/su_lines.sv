@@ -78,7 +78,11 @@ module su_lines (
   always_ff @(posedge clk_i) if (rst_ni) assert (!take || left_q != '0);
   always_ff @(posedge clk_i) if (rst_ni) assert (!line_ready_i || full_q);
   pipegs_stream_check #(.DataW($bits({line_number_o, line_o}))) u_check_line (
-    .clk_i, .rst_ni, .valid_i(line_valid_o), .ready_i(line_ready_i), .beat_i({line_number_o, line_o})
+    .clk_i,
+    .rst_ni,
+    .valid_i(line_valid_o),
+    .ready_i(line_ready_i),
+    .beat_i({line_number_o, line_o})
   );
 `endif
 

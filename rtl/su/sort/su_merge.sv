@@ -45,7 +45,10 @@ module su_merge (
 
   for (genvar i = 0; i < Units; i += 1) begin : gen_head
     logic [KeyW-1:0] key;
-    su_key u_key (.splat_i(in_i[i*pipegs_pkg::SplatBits +: pipegs_pkg::SplatBits]), .key_o(key));
+    su_key u_key (
+      .splat_i(in_i[i*pipegs_pkg::SplatBits +: pipegs_pkg::SplatBits]),
+      .key_o(key)
+    );
     assign ends[i] = in_i[i*pipegs_pkg::SplatBits +: KindW] != pipegs_pkg::KindData;
     assign heads[i*HeadW +: HeadW] = {ends[i], key};
   end
@@ -101,7 +104,10 @@ module su_merge (
   if (pipegs_pkg::IndexTies == 0) begin : gen_no_ties
     logic            before_q;  // a splat of this layer has gone, with this key
     logic [KeyW-1:0] key, key_q;
-    su_key u_winner (.splat_i(winner_bits), .key_o(key));
+    su_key u_winner (
+      .splat_i(winner_bits),
+      .key_o(key)
+    );
     always_ff @(posedge clk_i or negedge rst_ni) begin
       if (!rst_ni) before_q <= 1'b0;
       else if (go && !mark) before_q <= ends != '1;
@@ -111,7 +117,11 @@ module su_merge (
       else $error("su_merge: two splats of one depth, and IndexTies is 0");
   end
   pipegs_stream_check #(.DataW($bits(out_o))) u_check_out (
-    .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i), .beat_i(out_o)
+    .clk_i,
+    .rst_ni,
+    .valid_i(out_valid_o),
+    .ready_i(out_ready_i),
+    .beat_i(out_o)
   );
 `endif
 

@@ -120,7 +120,11 @@ module su_runs (
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni) assert (!start_i || state_q == Idle);
   pipegs_stream_check #(.DataW($bits(read_line_o))) u_check_read (
-    .clk_i, .rst_ni, .valid_i(read_valid_o), .ready_i(read_ready_i), .beat_i(read_line_o)
+    .clk_i,
+    .rst_ni,
+    .valid_i(read_valid_o),
+    .ready_i(read_ready_i),
+    .beat_i(read_line_o)
   );
 `endif
 

@@ -50,25 +50,54 @@ module su_sort #(
   assign chain_ready_o = split_idle_o && (!is_end || batch_ready);
   assign start         = group_valid_i || (chain_valid_i && !is_end && split_idle_o);
 
-  su_range u_range (.octave_i, .bucket_i(chain_i.bucket), .min_o(chain_min), .max_o(chain_max));
+  su_range u_range (
+    .octave_i,
+    .bucket_i(chain_i.bucket),
+    .min_o(chain_min),
+    .max_o(chain_max)
+  );
 
   su_split u_split (
-    .clk_i, .rst_ni, .start_i(start), .head_i(group_valid_i ? group_i.count[RecordW-1:0] - 1'b1 : chain_i.head),
+    .clk_i,
+    .rst_ni,
+    .start_i(start),
+    .head_i(group_valid_i ? group_i.count[RecordW-1:0] - 1'b1 : chain_i.head),
     .count_i(group_valid_i ? group_i.count : chain_i.count),
     .min_i(group_valid_i ? group_i.min : chain_min),
     .max_i(group_valid_i ? group_i.max : chain_max),
-    .idle_o(split_idle_o), .active_o(split_active), .key_read_o(read_o), .key_slot_o(slot_o), .key_i, .link_i,
-    .link_claim_o(claim_o), .link_write_o(write_o), .link_slot_o(write_slot_o), .link_o(write_link_o),
-    .out_valid_o(batch_valid), .out_ready_i(batch_ready), .out_last_o(batch_last), .out_key_o(batch_key),
+    .idle_o(split_idle_o),
+    .active_o(split_active),
+    .key_read_o(read_o),
+    .key_slot_o(slot_o),
+    .key_i,
+    .link_i,
+    .link_claim_o(claim_o),
+    .link_write_o(write_o),
+    .link_slot_o(write_slot_o),
+    .link_o(write_link_o),
+    .out_valid_o(batch_valid),
+    .out_ready_i(batch_ready),
+    .out_last_o(batch_last),
+    .out_key_o(batch_key),
     .out_slot_o(batch_slot)
   );
 
   su_bitonic u_bitonic (
-    .clk_i, .rst_ni,
-    .in_valid_i(batch_valid || end_go), .in_ready_o(batch_ready), .in_last_i(batch_last || end_go), .in_end_i(end_go),
-    .in_key_i(batch_key), .in_slot_i(end_go ? RecordW'(chain_i.kind) : batch_slot),
-    .out_valid_o(item_valid_o), .out_ready_i(item_ready_i), .out_end_o(item_end), .out_key_o(item_key),
-    .out_slot_o(item_slot), .idle_o(bitonic_idle), .active_o(bitonic_active)
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(batch_valid || end_go),
+    .in_ready_o(batch_ready),
+    .in_last_i(batch_last || end_go),
+    .in_end_i(end_go),
+    .in_key_i(batch_key),
+    .in_slot_i(end_go ? RecordW'(chain_i.kind) : batch_slot),
+    .out_valid_o(item_valid_o),
+    .out_ready_i(item_ready_i),
+    .out_end_o(item_end),
+    .out_key_o(item_key),
+    .out_slot_o(item_slot),
+    .idle_o(bitonic_idle),
+    .active_o(bitonic_active)
   );
 
   assign item_o  = {item_end, item_key, item_slot};
@@ -77,7 +106,11 @@ module su_sort #(
 
 `ifndef SYNTHESIS
   pipegs_stream_check u_check_batch (
-    .clk_i, .rst_ni, .valid_i(batch_valid || end_go), .ready_i(batch_ready), .beat_i(1'b0)
+    .clk_i,
+    .rst_ni,
+    .valid_i(batch_valid || end_go),
+    .ready_i(batch_ready),
+    .beat_i(1'b0)
   );
 `endif
 

@@ -117,7 +117,10 @@ module su_split (
     assign entry  = table_q[bucket];
     assign filled = filled_q[bucket];
     assign {tail, head, count} = entry;
-    pipegs_bit_length #(.DataW(Buckets)) u_far (.in_i(filled_q), .length_o(far_length));
+    pipegs_bit_length #(.DataW(Buckets)) u_far (
+      .in_i(filled_q),
+      .length_o(far_length)
+    );
     assign far       = BucketW'(far_length - 1'b1);  // read only while one is filled
     assign dropping  = drop_q;
     assign gather    = state_q == Gather && filled_q != '0;
@@ -153,7 +156,10 @@ module su_split (
     // The next four bits; after measuring, the four bits below the leading one.
     assign next_shift = shift_q > ShiftW'(BucketW) ? shift_q - ShiftW'(BucketW) : '0;
     logic [$clog2(KeyW-BucketW+1)-1:0] wide_length;
-    pipegs_bit_length #(.DataW(KeyW - BucketW)) u_wide (.in_i(range_q[KeyW-1:BucketW]), .length_o(wide_length));
+    pipegs_bit_length #(.DataW(KeyW - BucketW)) u_wide (
+      .in_i(range_q[KeyW-1:BucketW]),
+      .length_o(wide_length)
+    );
     assign wide_shift = ShiftW'(wide_length);
 
     always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -273,7 +279,11 @@ module su_split (
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni) assert (!start_i || (state_q == Idle && count_i != '0));
   pipegs_stream_check #(.DataW($bits({out_last_o, out_key_o, out_slot_o}))) u_check_out (
-    .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i), .beat_i({out_last_o, out_key_o, out_slot_o})
+    .clk_i,
+    .rst_ni,
+    .valid_i(out_valid_o),
+    .ready_i(out_ready_i),
+    .beat_i({out_last_o, out_key_o, out_slot_o})
   );
 `endif
 

@@ -84,8 +84,13 @@ module su_tree #(
   assign item_slot_o  = RecordW'({way_q, head_q});
 
   pipegs_sram #(.DataW(SlotW), .Depth(Ways)) u_left (
-    .clk_i, .write_i(setup_i || take), .waddr_i(setup_i ? setup_way_i : way_q),
-    .wdata_i(setup_i ? setup_keys_i : left - 1'b1), .read_i(state_q == Look), .raddr_i(way_q), .rdata_o(left)
+    .clk_i,
+    .write_i(setup_i || take),
+    .waddr_i(setup_i ? setup_way_i : way_q),
+    .wdata_i(setup_i ? setup_keys_i : left - 1'b1),
+    .read_i(state_q == Look),
+    .raddr_i(way_q),
+    .rdata_o(left)
   );
 
   // --- the tree -----------------------------------------------------------------------------------------------------
@@ -104,8 +109,13 @@ module su_tree #(
   assign won    = done && filled;
 
   pipegs_sram #(.DataW(NodeW), .Depth(Ways)) u_nodes (
-    .clk_i, .write_i(state_q == Compare && (!filled || swap)), .waddr_i(node_q), .wdata_i(rising),
-    .read_i(leaves || state_q == Compare), .raddr_i(leaves ? leaf : node_q >> 1), .rdata_o(loser)
+    .clk_i,
+    .write_i(state_q == Compare && (!filled || swap)),
+    .waddr_i(node_q),
+    .wdata_i(rising),
+    .read_i(leaves || state_q == Compare),
+    .raddr_i(leaves ? leaf : node_q >> 1),
+    .rdata_o(loser)
   );
 
   assign idle_o   = state_q == Idle;
@@ -160,7 +170,11 @@ module su_tree #(
   always_ff @(posedge clk_i) if (rst_ni) assert (!start_i || (idle_o && levels_i != '0));
   always_ff @(posedge clk_i) if (rst_ni) assert (!(state_q == Look && item_valid_o) || !item_ready_i);
   pipegs_stream_check #(.DataW($bits({item_key_o, item_slot_o}))) u_check_item (
-    .clk_i, .rst_ni, .valid_i(item_valid_o), .ready_i(item_ready_i), .beat_i({item_key_o, item_slot_o})
+    .clk_i,
+    .rst_ni,
+    .valid_i(item_valid_o),
+    .ready_i(item_ready_i),
+    .beat_i({item_key_o, item_slot_o})
   );
 `endif
 

@@ -64,7 +64,11 @@ module su_ways #(
   for (genvar i = 0; i < Ways; i += 1) begin : gen_wants
     assign wants[i] = more_q[i] && held_q[i] != HeldW'(Lines);
   end
-  pipegs_round_robin #(.Ports(Ways)) u_turn (.mask_i(wants), .last_i(asked_q), .choice_o(choice));
+  pipegs_round_robin #(.Ports(Ways)) u_turn (
+    .mask_i(wants),
+    .last_i(asked_q),
+    .choice_o(choice)
+  );
   assign pick         = !asking_q && !setup_i && wants != '0;
   assign read_valid_o = asking_q;
   assign read_line_o  = line;
@@ -72,9 +76,13 @@ module su_ways #(
   assign last         = keys <= SlotW'(RunKeys);
 
   pipegs_sram #(.DataW(2 * SlotW), .Depth(Ways)) u_asks (
-    .clk_i, .write_i(setup_i || read_ready_i), .waddr_i(setup_i ? setup_way_i : asked_q),
+    .clk_i,
+    .write_i(setup_i || read_ready_i),
+    .waddr_i(setup_i ? setup_way_i : asked_q),
     .wdata_i(setup_i ? {setup_line_i, setup_keys_i} : {line + 1'b1, keys - SlotW'(RunKeys)}),
-    .read_i(pick), .raddr_i(choice), .rdata_o({line, keys})
+    .read_i(pick),
+    .raddr_i(choice),
+    .rdata_o({line, keys})
   );
 
   // --- lines --------------------------------------------------------------------------------------------------------
@@ -127,7 +135,11 @@ module su_ways #(
   always_ff @(posedge clk_i) if (rst_ni) assert (!setup_i || !asking_q);
   always_ff @(posedge clk_i) if (rst_ni) assert (!release_i || ready_o[0]);
   pipegs_stream_check #(.DataW($bits({read_line_o, read_way_o}))) u_check_read (
-    .clk_i, .rst_ni, .valid_i(read_valid_o), .ready_i(read_ready_i), .beat_i({read_line_o, read_way_o})
+    .clk_i,
+    .rst_ni,
+    .valid_i(read_valid_o),
+    .ready_i(read_ready_i),
+    .beat_i({read_line_o, read_way_o})
   );
 `endif
 
