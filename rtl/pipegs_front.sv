@@ -11,7 +11,6 @@ module pipegs_front #(
   localparam int unsigned Units     = pipegs_pkg::Units,
   localparam int unsigned AddressW  = pipegs_pkg::AddressW,
   localparam int unsigned MemoryW   = pipegs_pkg::MemoryW,
-  localparam int unsigned BurstW    = pipegs_pkg::BurstW,
   localparam int unsigned SplatBits = pipegs_pkg::SplatBits,
   localparam int unsigned NumberW   = pipegs_pkg::ListWindowW,
   localparam int unsigned LinesW    = pipegs_pkg::RegionW + 1
@@ -51,39 +50,26 @@ module pipegs_front #(
 );
 
   localparam int unsigned VisibleBits   = pipegs_pkg::VisibleBits;
-  localparam int unsigned AlphaAddressW = pipegs_pkg::AlphaAddressW;
-  localparam int unsigned LineW         = pipegs_pkg::LineW;
   localparam int unsigned PuFronts      = pipegs_pkg::PuFronts;
 
   logic                             dopu_clk, dopu_active, dopu_busy, deal_active;
   logic [Units-1:0]                 pu_active, pu_busy, chunk_valid, chunk_ready, chunk_room;
   pipegs_pkg::chunk_t               chunk;
   logic [Units-1:0]                 culled_valid, culled_ready, dealt_valid, dealt_ready, dealt_room;
-  logic [Units*VisibleBits-1:0]     culled;
+  typedef struct packed {logic [Units-1:0][VisibleBits-1:0] of;} visibles_t;  // of each PU
+  visibles_t                        culled;
   logic [PuFronts-1:0]              dealt_from;
   pipegs_pkg::visible_t             dealt;
 
-  logic                             node_valid, node_ready, node_line;
-  logic [Units-1:0]                 geometry_valid, geometry_ready, geometry_line, color_valid, color_ready, color_line;
-  logic [AddressW-1:0]              node_address;
-  logic [Units*AddressW-1:0]        geometry_address, color_address, spill_address;
-  logic [BurstW-1:0]                node_lines;
-  logic [Units*BurstW-1:0]          geometry_lines;
-  logic [Units-1:0]                 spill_valid, spill_ready, spill_line, store_write;
-  logic [Units*MemoryW-1:0]         spill_data;
-  logic [Units*AlphaAddressW-1:0]   store_address;
-  logic [Units*LineW-1:0]           store_line;
+  localparam int unsigned Colors = Units;      // the first port that reads colours, behind those of geometry
+  localparam int unsigned Nodes  = 2 * Units;  // the DOPU's
   logic                             dopu_bad;
   logic [Units-1:0]                 pu_full, pu_bad;
   logic [AddressW-1:0]              dopu_bad_line;
-  logic [Units*AddressW-1:0]        pu_full_line, pu_bad_line;
+  typedef struct packed {logic [Units-1:0][AddressW-1:0] full, bad;} pu_lines_t;
+  pu_lines_t                        pu_lines;
 
-  assign reads_o = {node_lines, (Units*BurstW)'(0), geometry_lines, node_address, color_address, geometry_address,
-                    node_valid, color_valid, geometry_valid};
-  assign {node_line, color_line, geometry_line, node_ready, color_ready, geometry_ready} = reads_i;
-  assign spill_o = {spill_data, spill_address, {Units{1'b1}}, spill_valid};
-  assign {spill_line, spill_ready} = spill_i;
-  assign store_o = {store_line, store_address, store_write};
+  assign spill_o.write = '1;
 
   pipegs_clock_gate u_dopu_gate (
     .clk_i,
@@ -99,11 +85,11 @@ module pipegs_front #(
     .frame_i,
     .areas_i,
     .busy_o(dopu_busy),
-    .mem_valid_o(node_valid),
-    .mem_ready_i(node_ready),
-    .mem_address_o(node_address),
-    .mem_lines_o(node_lines),
-    .rsp_valid_i(node_line),
+    .mem_valid_o(reads_o.valid[Nodes]),
+    .mem_ready_i(reads_i.ready[Nodes]),
+    .mem_address_o(reads_o.address[Nodes]),
+    .mem_lines_o(reads_o.lines[Nodes]),
+    .rsp_valid_i(reads_i.line[Nodes]),
     .rsp_data_i(line_i),
     .done_i(progress_i.done),
     .done_x_i(progress_i.x),
@@ -120,6 +106,7 @@ module pipegs_front #(
 
   for (genvar k = 0; k < Units; k += 1) begin : gen_unit
     logic pu_clk;
+    assign reads_o.lines[Colors+k] = '0;  // colours come a line at a time
     pipegs_clock_gate u_pu_gate (
       .clk_i,
       .rst_ni,
@@ -144,7 +131,7 @@ module pipegs_front #(
       .chunk_i(chunk),
       .culled_valid_o(culled_valid[k]),
       .culled_ready_i(culled_ready[k]),
-      .culled_o(culled[k*VisibleBits +: VisibleBits]),
+      .culled_o(culled.of[k]),
       .visible_valid_i(dealt_valid[k]),
       .visible_ready_o(dealt_ready[k]),
       .visible_room_o(dealt_room[k]),
@@ -154,32 +141,32 @@ module pipegs_front #(
       .done_y_i(progress_i.y),
       .line_free_i(line_free_i[k]),
       .layer_free_i,
-      .geometry_valid_o(geometry_valid[k]),
-      .geometry_ready_i(geometry_ready[k]),
-      .geometry_address_o(geometry_address[k*AddressW +: AddressW]),
-      .geometry_lines_o(geometry_lines[k*BurstW +: BurstW]),
-      .geometry_rsp_valid_i(geometry_line[k]),
-      .color_valid_o(color_valid[k]),
-      .color_ready_i(color_ready[k]),
-      .color_address_o(color_address[k*AddressW +: AddressW]),
-      .color_rsp_valid_i(color_line[k]),
+      .geometry_valid_o(reads_o.valid[k]),
+      .geometry_ready_i(reads_i.ready[k]),
+      .geometry_address_o(reads_o.address[k]),
+      .geometry_lines_o(reads_o.lines[k]),
+      .geometry_rsp_valid_i(reads_i.line[k]),
+      .color_valid_o(reads_o.valid[Colors+k]),
+      .color_ready_i(reads_i.ready[Colors+k]),
+      .color_address_o(reads_o.address[Colors+k]),
+      .color_rsp_valid_i(reads_i.line[Colors+k]),
       .rsp_data_i(line_i),
-      .spill_valid_o(spill_valid[k]),
-      .spill_ready_i(spill_ready[k]),
-      .spill_address_o(spill_address[k*AddressW +: AddressW]),
-      .spill_data_o(spill_data[k*MemoryW +: MemoryW]),
-      .store_write_o(store_write[k]),
-      .store_address_o(store_address[k*AlphaAddressW +: AlphaAddressW]),
-      .store_line_o(store_line[k*LineW +: LineW]),
+      .spill_valid_o(spill_o.valid[k]),
+      .spill_ready_i(spill_i.ready[k]),
+      .spill_address_o(spill_o.address[k]),
+      .spill_data_o(spill_o.data[k]),
+      .store_write_o(store_o.write[k]),
+      .store_address_o(store_o.address[k]),
+      .store_line_o(store_o.line[k]),
       .splat_valid_o(splat_valid_o[k]),
       .splat_ready_i(splat_ready_i[k]),
       .splat_o(splat_o[k*SplatBits +: SplatBits]),
       .number_o(number_o[k*NumberW +: NumberW]),
       .overflowed_o(overflow_o[k*LinesW +: LinesW]),
       .full_o(pu_full[k]),
-      .full_line_o(pu_full_line[k*AddressW +: AddressW]),
+      .full_line_o(pu_lines.full[k]),
       .bad_o(pu_bad[k]),
-      .bad_line_o(pu_bad_line[k*AddressW +: AddressW]),
+      .bad_line_o(pu_lines.bad[k]),
       .busy_o(pu_busy[k]),
       .active_o(pu_active[k]),
       .perf_o(perf_o[2*(1+k) +: 2])
@@ -191,7 +178,7 @@ module pipegs_front #(
     .rst_ni,
     .in_valid_i(culled_valid[PuFronts-1:0]),
     .in_ready_o(dealt_from),
-    .in_i(culled[PuFronts*VisibleBits-1:0]),
+    .in_i((PuFronts*VisibleBits)'(culled)),
     .out_valid_o(dealt_valid),
     .out_ready_i(dealt_ready),
     .out_room_i(dealt_room),
@@ -201,13 +188,13 @@ module pipegs_front #(
 
   pipegs_first_line #(.Ports(Units)) u_full (
     .valid_i(pu_full),
-    .line_i(pu_full_line),
+    .line_i(pu_lines.full),
     .valid_o(full_o),
     .line_o(full_line_o)
   );
   pipegs_first_line #(.Ports(1 + Units)) u_bad (
     .valid_i({pu_bad, dopu_bad}),
-    .line_i({pu_bad_line, dopu_bad_line}),
+    .line_i({pu_lines.bad, dopu_bad_line}),
     .valid_o(bad_o),
     .line_o(bad_line_o)
   );
@@ -219,6 +206,6 @@ module pipegs_front #(
   assign culled_ready = Units'(dealt_from);
 
   logic unused;  // writes get no answer; PUs without a front give nothing
-  assign unused = &{1'b0, spill_line, culled_valid, culled};
+  assign unused = &{1'b0, spill_i.line, culled_valid, culled};
 
 endmodule

@@ -1335,8 +1335,8 @@ package pipegs_pkg;
   // Bundles: wires of all units side by side, the first unit lowest.
   localparam int unsigned ReadPorts = MemoryPorts - WritePorts;
   typedef struct packed {  // ports that only read: geometry of each PU, its colours, then the DOPU
-    logic [ReadPorts*BurstW-1:0] lines;  // less one
-    logic [ReadPorts*AddressW-1:0] address;
+    logic [ReadPorts-1:0][BurstW-1:0] lines;  // less one
+    logic [ReadPorts-1:0][AddressW-1:0] address;
     logic [ReadPorts-1:0] valid;
   } memory_reads_t;
   typedef struct packed {
@@ -1345,8 +1345,8 @@ package pipegs_pkg;
   } memory_reads_answer_t;
 
   typedef struct packed {  // one port of each unit that may write
-    logic [Units*MemoryW-1:0] data;
-    logic [Units*AddressW-1:0] address;
+    logic [Units-1:0][MemoryW-1:0] data;
+    logic [Units-1:0][AddressW-1:0] address;
     logic [Units-1:0] write;
     logic [Units-1:0] valid;
   } memory_lanes_t;
@@ -1368,27 +1368,27 @@ package pipegs_pkg;
   } memory_lists_answer_t;
 
   typedef struct packed {  // PUs -> their alpha stores
-    logic [Units*LineW-1:0] line;
-    logic [Units*AlphaAddressW-1:0] address;
+    logic [Units-1:0][LineW-1:0] line;
+    logic [Units-1:0][AlphaAddressW-1:0] address;
     logic [Units-1:0] write;
   } store_writes_t;
 
   typedef struct packed {  // what the RUs have finished, to the front
-    logic [Units*WindowW-1:0] y;  // the window that they are in
-    logic [Units*WindowW-1:0] x;
-    logic [Units*Regions-1:0] done;  // regions of it that need no more alphas
+    logic [Units-1:0][WindowW-1:0] y;  // the window that they are in
+    logic [Units-1:0][WindowW-1:0] x;
+    logic [Units-1:0][Regions-1:0] done;  // regions of it that need no more alphas
   } progress_t;
 
   typedef struct packed {  // what the RUs do, for the harness
-    logic [Units*TapLanes*TapWordW-1:0] pixels;
-    logic [Units*TapLanes*2-1:0] pixels_quarter;
-    logic [Units*TapLanes*RegionW-1:0] pixels_region;
-    logic [Units*TapLanes-1:0] pixels_valid;
-    logic [Units*TapLanes*TapLineW-1:0] alphas;
-    logic [Units*TapLanes*2-1:0] alphas_quarter;
-    logic [Units*TapLanes*RegionW-1:0] alphas_region;
-    logic [Units*TapLanes*TapIndexW-1:0] alphas_index;
-    logic [Units*TapLanes-1:0] alphas_valid;
+    logic [Units-1:0][TapLanes*TapWordW-1:0] pixels;
+    logic [Units-1:0][TapLanes*2-1:0] pixels_quarter;
+    logic [Units-1:0][TapLanes*RegionW-1:0] pixels_region;
+    logic [Units-1:0][TapLanes-1:0] pixels_valid;
+    logic [Units-1:0][TapLanes*TapLineW-1:0] alphas;
+    logic [Units-1:0][TapLanes*2-1:0] alphas_quarter;
+    logic [Units-1:0][TapLanes*RegionW-1:0] alphas_region;
+    logic [Units-1:0][TapLanes*TapIndexW-1:0] alphas_index;
+    logic [Units-1:0][TapLanes-1:0] alphas_valid;
   } raster_taps_t;
 
   // AXI4 to memory: its channels, and what manager and subordinate show of reads and of writes.

@@ -9,9 +9,8 @@
 // Model   cpp_model/ru/ru.hpp
 
 module pipegs_raster #(
-  localparam int unsigned Units    = pipegs_pkg::Units,
-  localparam int unsigned AddressW = pipegs_pkg::AddressW,
-  localparam int unsigned MemoryW  = pipegs_pkg::MemoryW
+  localparam int unsigned Units   = pipegs_pkg::Units,
+  localparam int unsigned MemoryW = pipegs_pkg::MemoryW
 ) (
   input  logic                             clk_i,
   input  logic                             rst_ni,
@@ -44,47 +43,26 @@ module pipegs_raster #(
   localparam int unsigned AlphaAddressW = pipegs_pkg::AlphaAddressW;
   localparam int unsigned LineW         = pipegs_pkg::LineW;
   localparam int unsigned Regions       = pipegs_pkg::Regions;
-  localparam int unsigned WindowW       = pipegs_pkg::WindowW;
-  localparam int unsigned RegionW       = pipegs_pkg::RegionW;
-  localparam int unsigned TapIndexW     = pipegs_pkg::TapIndexW;
-  localparam int unsigned TapLanes      = pipegs_pkg::TapLanes;
-  localparam int unsigned TapLineW      = pipegs_pkg::TapLineW;
-  localparam int unsigned TapWordW      = pipegs_pkg::TapWordW;
-  localparam int unsigned TapsN         = Units * TapLanes;
 
   logic                            dispatch_active;
   logic [Units-1:0]                ru_active, splat_valid, splat_ready;
   pipegs_pkg::sorted_t             splat;
-  logic [Units*Regions-1:0]        done;
-  logic [Units*WindowW-1:0]        done_x, done_y;
-
-  logic [Units-1:0]                mem_valid, mem_ready, mem_write, mem_line;
-  logic [Units*AddressW-1:0]       mem_address;
-  logic [Units*MemoryW-1:0]        mem_data;
 
   localparam int unsigned HalfW = MemoryW / 2;
   localparam int unsigned Slots = Regions / Units;
-  logic [Units-1:0]                pair_valid, pair_taken, pair_at_end;  // of each RU, to the one that shares its lines
-  logic [Units*HalfW-1:0]          pair_row;
-  logic [Units*Slots-1:0]          pair_wanted;
-
-  logic [Units*Units-1:0]          read_valid, read_ready, answer_valid;  // [RU * Units + store]
-  logic [Units*AlphaAddressW-1:0]  read_address;                          // of each RU
-  logic [Units-1:0]                read_skip;
-  logic [Units*LineW-1:0]          answer;                                // of each store
-
-  logic [TapsN-1:0]                alphas_valid, pixels_valid;
-  logic [TapsN*TapIndexW-1:0]      alphas_index;
-  logic [TapsN*RegionW-1:0]        alphas_region, pixels_region;
-  logic [TapsN*TapLineW-1:0]       alphas;
-  logic [TapsN*2-1:0]              alphas_quarter, pixels_quarter;
-  logic [TapsN*TapWordW-1:0]       pixels;
-
-  assign memory_o   = {mem_data, mem_address, mem_write, mem_valid};
-  assign {mem_line, mem_ready} = memory_i;
-  assign progress_o = {done_y, done_x, done};
-  assign taps_o     = {pixels, pixels_quarter, pixels_region, pixels_valid,
-                       alphas, alphas_quarter, alphas_region, alphas_index, alphas_valid};
+  typedef struct packed {  // of each RU, to the one that shares its lines
+    logic [Units-1:0][HalfW-1:0] row;
+    logic [Units-1:0][Slots-1:0] wanted;
+    logic [Units-1:0]            valid, taken, at_end;
+  } pairs_t;
+  typedef struct packed {  // between RUs and stores
+    logic [Units*Units-1:0]              valid, ready, answered;  // [RU * Units + store]
+    logic [Units-1:0][AlphaAddressW-1:0] address;                 // of each RU
+    logic [Units-1:0]                    skip;
+    logic [Units-1:0][LineW-1:0]         answer;                  // of each store
+  } reads_t;
+  pairs_t pairs;
+  reads_t reads;
 
   ru_dispatch u_dispatch (
     .clk_i,
@@ -105,13 +83,13 @@ module pipegs_raster #(
     logic [HalfW-1:0] other_row;
     logic [Slots-1:0] other_wanted;
     if (Units > 1) begin : gen_pair
-      assign {other_valid, other_taken, other_at_end} = {pair_valid[Other], pair_taken[Other], pair_at_end[Other]};
-      assign other_row    = pair_row[Other*HalfW +: HalfW];
-      assign other_wanted = pair_wanted[Other*Slots +: Slots];
+      assign {other_valid, other_taken, other_at_end} = {pairs.valid[Other], pairs.taken[Other], pairs.at_end[Other]};
+      assign other_row    = pairs.row[Other];
+      assign other_wanted = pairs.wanted[Other];
     end else begin : gen_alone
       assign {other_valid, other_taken, other_at_end, other_row, other_wanted} = '0;
       logic unused_pair;
-      assign unused_pair = &{1'b0, pair_valid, pair_taken, pair_at_end, pair_row, pair_wanted};
+      assign unused_pair = &{1'b0, pairs};
     end
 
     logic ru_clk;
@@ -133,56 +111,56 @@ module pipegs_raster #(
       .in_valid_i(splat_valid[k]),
       .in_ready_o(splat_ready[k]),
       .in_i(splat),
-      .read_valid_o(read_valid[k*Units +: Units]),
-      .read_ready_i(read_ready[k*Units +: Units]),
-      .read_address_o(read_address[k*AlphaAddressW +: AlphaAddressW]),
-      .read_skip_o(read_skip[k]),
-      .answer_valid_i(answer_valid[k*Units +: Units]),
-      .answer_i(answer),
-      .mem_valid_o(mem_valid[k]),
-      .mem_ready_i(mem_ready[k]),
-      .mem_write_o(mem_write[k]),
-      .mem_address_o(mem_address[k*AddressW +: AddressW]),
+      .read_valid_o(reads.valid[k*Units +: Units]),
+      .read_ready_i(reads.ready[k*Units +: Units]),
+      .read_address_o(reads.address[k]),
+      .read_skip_o(reads.skip[k]),
+      .answer_valid_i(reads.answered[k*Units +: Units]),
+      .answer_i(reads.answer),
+      .mem_valid_o(memory_o.valid[k]),
+      .mem_ready_i(memory_i.ready[k]),
+      .mem_write_o(memory_o.write[k]),
+      .mem_address_o(memory_o.address[k]),
       .mem_halves_o(halves_o[k*pipegs_pkg::HalvesW +: pipegs_pkg::HalvesW]),
-      .mem_data_o(mem_data[k*MemoryW +: MemoryW]),
-      .rsp_valid_i(mem_line[k]),
+      .mem_data_o(memory_o.data[k]),
+      .rsp_valid_i(memory_i.line[k]),
       .rsp_data_i(line_i),
-      .pair_valid_o(pair_valid[k]),
-      .pair_taken_o(pair_taken[k]),
-      .pair_row_o(pair_row[k*HalfW +: HalfW]),
-      .pair_at_end_o(pair_at_end[k]),
-      .pair_wanted_o(pair_wanted[k*Slots +: Slots]),
+      .pair_valid_o(pairs.valid[k]),
+      .pair_taken_o(pairs.taken[k]),
+      .pair_row_o(pairs.row[k]),
+      .pair_at_end_o(pairs.at_end[k]),
+      .pair_wanted_o(pairs.wanted[k]),
       .pair_valid_i(other_valid),
       .pair_taken_i(other_taken),
       .pair_row_i(other_row),
       .pair_at_end_i(other_at_end),
       .pair_wanted_i(other_wanted),
-      .done_o(done[k*Regions +: Regions]),
-      .done_x_o(done_x[k*WindowW +: WindowW]),
-      .done_y_o(done_y[k*WindowW +: WindowW]),
+      .done_o(progress_o.done[k]),
+      .done_x_o(progress_o.x[k]),
+      .done_y_o(progress_o.y[k]),
       .layer_done_o(layer_done_o[k]),
       .window_done_o(window_done_o[k]),
       .idle_o(),
       .active_o(ru_active[k]),
       .perf_o(perf_o[2*k +: 2]),
-      .tap_line_valid_o(alphas_valid[k*TapLanes +: TapLanes]),
-      .tap_line_index_o(alphas_index[k*TapLanes*TapIndexW +: TapLanes*TapIndexW]),
-      .tap_line_region_o(alphas_region[k*TapLanes*RegionW +: TapLanes*RegionW]),
-      .tap_line_quarter_o(alphas_quarter[k*TapLanes*2 +: TapLanes*2]),
-      .tap_line_o(alphas[k*TapLanes*TapLineW +: TapLanes*TapLineW]),
-      .tap_word_valid_o(pixels_valid[k*TapLanes +: TapLanes]),
-      .tap_word_region_o(pixels_region[k*TapLanes*RegionW +: TapLanes*RegionW]),
-      .tap_word_quarter_o(pixels_quarter[k*TapLanes*2 +: TapLanes*2]),
-      .tap_word_o(pixels[k*TapLanes*TapWordW +: TapLanes*TapWordW])
+      .tap_line_valid_o(taps_o.alphas_valid[k]),
+      .tap_line_index_o(taps_o.alphas_index[k]),
+      .tap_line_region_o(taps_o.alphas_region[k]),
+      .tap_line_quarter_o(taps_o.alphas_quarter[k]),
+      .tap_line_o(taps_o.alphas[k]),
+      .tap_word_valid_o(taps_o.pixels_valid[k]),
+      .tap_word_region_o(taps_o.pixels_region[k]),
+      .tap_word_quarter_o(taps_o.pixels_quarter[k]),
+      .tap_word_o(taps_o.pixels[k])
     );
 
     if (pipegs_pkg::HasStores) begin : gen_store
       logic             store_clk, store_active;
       logic [Units-1:0] store_read_valid, store_read_ready, store_answer_valid;
       for (genvar j = 0; j < Units; j += 1) begin : gen_reader
-        assign store_read_valid[j]     = read_valid[j*Units+k];
-        assign read_ready[j*Units+k]   = store_read_ready[j];
-        assign answer_valid[j*Units+k] = store_answer_valid[j];
+        assign store_read_valid[j]       = reads.valid[j*Units+k];
+        assign reads.ready[j*Units+k]    = store_read_ready[j];
+        assign reads.answered[j*Units+k] = store_answer_valid[j];
       end
       pipegs_clock_gate u_store_gate (
         .clk_i,
@@ -195,26 +173,26 @@ module pipegs_raster #(
         .clk_i(store_clk),
         .rst_ni,
         .write_i(store_i.write[k]),
-        .address_i(store_i.address[k*AlphaAddressW +: AlphaAddressW]),
-        .line_i(store_i.line[k*LineW +: LineW]),
+        .address_i(store_i.address[k]),
+        .line_i(store_i.line[k]),
         .read_valid_i(store_read_valid),
         .read_ready_o(store_read_ready),
-        .read_address_i(read_address),
-        .read_skip_i(read_skip),
+        .read_address_i(reads.address),
+        .read_skip_i(reads.skip),
         .answer_valid_o(store_answer_valid),
-        .answer_o(answer[k*LineW +: LineW]),
+        .answer_o(reads.answer[k]),
         .free_o(line_free_o[k]),
         .active_o(store_active)
       );
     end
   end
   if (!pipegs_pkg::HasStores) begin : gen_no_stores
-    assign read_ready   = '0;
-    assign answer_valid = '0;
-    assign answer       = '0;
-    assign line_free_o  = '0;
+    assign reads.ready    = '0;
+    assign reads.answered = '0;
+    assign reads.answer   = '0;
+    assign line_free_o    = '0;
     logic unused_stores;
-    assign unused_stores = &{1'b0, store_i, read_valid, read_address, read_skip};
+    assign unused_stores = &{1'b0, store_i, reads};
   end
 
   pipegs_layer_free u_layer_free (

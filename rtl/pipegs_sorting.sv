@@ -48,17 +48,15 @@ module pipegs_sorting #(
   output logic [Units*SplatBits-1:0]       tap_splat_o
 );
 
+  typedef struct packed {logic [Units-1:0][SplatBits-1:0] of;} splats_t;  // of each SU
+  typedef struct packed {
+    logic [Units:0]               is;
+    logic [Units:0][AddressW-1:0] line;
+  } full_t;
   logic [Units-1:0]           su_active, spilling, splat_valid, splat_ready, in_order_valid, in_order_ready;
-  logic [Units*SplatBits-1:0] splat, in_order;
+  splats_t                    splat, in_order;
   logic                       merge_active, lists_busy;
-  logic [Units-1:0]           mem_valid, mem_ready, mem_write, mem_line;
-  logic [Units*AddressW-1:0]  mem_address;
-  logic [Units*MemoryW-1:0]   mem_data;
-  logic [Units:0]             full;  // of each SU, of the lists
-  logic [(Units+1)*AddressW-1:0] full_line;
-
-  assign sort_o = {mem_data, mem_address, mem_write, mem_valid};
-  assign {mem_line, mem_ready} = sort_i;
+  full_t                      full;  // of each SU, of the lists
 
   if (pipegs_pkg::HasLists) begin : gen_lists
     logic                lists_clk, lists_active, list_valid, list_ready, list_write, list_line;
@@ -97,22 +95,22 @@ module pipegs_sorting #(
       .splat_ready_i(splat_ready),
       .splat_room_i(splat_ready),  // an SU's ready is a register: it waits for no valid
       .splat_o(listed),
-      .full_o(full[Units]),
-      .full_line_o(full_line[Units*AddressW +: AddressW]),
+      .full_o(full.is[Units]),
+      .full_line_o(full.line[Units]),
       .written_o,
       .busy_o(lists_busy),
       .active_o(lists_active)
     );
     assign splat = {Units{listed}};
   end else begin : gen_direct
-    assign splat_valid  = made_valid_i;
-    assign made_ready_o = splat_ready;
-    assign splat        = made_i;
-    assign written_o    = 1'b0;
-    assign lists_busy   = 1'b0;
-    assign full[Units]  = 1'b0;
-    assign full_line[Units*AddressW +: AddressW] = '0;
-    assign lists_o      = '0;
+    assign splat_valid     = made_valid_i;
+    assign made_ready_o    = splat_ready;
+    assign splat           = made_i;
+    assign written_o       = 1'b0;
+    assign lists_busy      = 1'b0;
+    assign full.is[Units]  = 1'b0;
+    assign full.line[Units]= '0;
+    assign lists_o         = '0;
     logic unused_lists;
     assign unused_lists = &{1'b0, windows_i, restart_i, number_i, lists_i};
   end
@@ -150,21 +148,21 @@ module pipegs_sorting #(
       .octave_i(octave),
       .in_valid_i(splat_valid[k]),
       .in_ready_o(splat_ready[k]),
-      .in_i(splat[k*SplatBits +: SplatBits]),
+      .in_i(splat.of[k]),
       .out_valid_o(in_order_valid[k]),
       .out_ready_i(in_order_ready[k]),
-      .out_o(in_order[k*SplatBits +: SplatBits]),
+      .out_o(in_order.of[k]),
       .spill_i((spilling & ~(Units'(1) << k)) != '0),
       .spilling_o(spilling[k]),
-      .mem_valid_o(mem_valid[k]),
-      .mem_ready_i(mem_ready[k]),
-      .mem_write_o(mem_write[k]),
-      .mem_address_o(mem_address[k*AddressW +: AddressW]),
-      .mem_data_o(mem_data[k*MemoryW +: MemoryW]),
-      .rsp_valid_i(mem_line[k]),
+      .mem_valid_o(sort_o.valid[k]),
+      .mem_ready_i(sort_i.ready[k]),
+      .mem_write_o(sort_o.write[k]),
+      .mem_address_o(sort_o.address[k]),
+      .mem_data_o(sort_o.data[k]),
+      .rsp_valid_i(sort_i.line[k]),
       .rsp_data_i(line_i),
-      .full_o(full[k]),
-      .full_line_o(full_line[k*AddressW +: AddressW]),
+      .full_o(full.is[k]),
+      .full_line_o(full.line[k]),
       .overflow_o(overflow_o[k]),
       .active_o(su_active[k]),
       .perf_o(perf_o[2*k +: 2])
@@ -184,8 +182,8 @@ module pipegs_sorting #(
   );
 
   pipegs_first_line #(.Ports(Units + 1)) u_full (
-    .valid_i(full),
-    .line_i(full_line),
+    .valid_i(full.is),
+    .line_i(full.line),
     .valid_o(full_o),
     .line_o(full_line_o)
   );

@@ -58,18 +58,28 @@ module ru_lanes #(
   localparam int unsigned RegionW = pipegs_pkg::RegionW;
   localparam int unsigned PlaceW  = RegionW / 2;
   localparam int unsigned ColorsW = 3 * RgbW;
-  localparam int unsigned TLow = Lanes * ColorsW;        // first bit of the T fields
-  localparam int unsigned DoneLow = TLow + Lanes * TW;   // first bit of the done flags
   localparam logic [TW-1:0] One = TW'(1) << (TW - 1);
+
+  typedef struct packed {  // of a quarter
+    logic [Lanes-1:0]              done;
+    logic [Lanes-1:0][TW-1:0]      t;
+    logic [Lanes-1:0][ColorsW-1:0] rgb;
+  } word_t;
+  typedef struct packed {logic [ColorW-1:0] blue, green, red;} color_t;
+  typedef struct packed {logic [3:0][Lanes*AlphaW-1:0] of;} quarters_t;
+  typedef struct packed {logic [Lanes-1:0][AlphaW-1:0] of;} codes_t;
+  typedef struct packed {logic [Lanes-1:0][ColorsW-1:0] of;} pixels_t;
 
   logic                     valid_1_q, valid_2_q, valid_3_q;
   logic [RegionW-1:0]       region_1_q, region_2_q, region_3_q;
   logic [1:0]               quarter_q, quarter_1_q, quarter_2_q, quarter_3_q;
   logic [AddrW-1:0]         address_1_q, address_2_q, address_3_q;
-  logic [Lanes*AlphaW-1:0]  codes_1_q;
-  logic [3*ColorW-1:0]      color_1_q, color_2_q;
+  quarters_t                line;
+  codes_t                   codes_1_q;
+  color_t                   color_1_q, color_2_q;
   logic [Lanes-1:0]         outside_1_q;
-  logic [Lanes*ColorsW-1:0] rgb_2_q, rgb_3_q;
+  pixels_t                  rgb_2_q, rgb_3_q;
+  word_t                    shown, blended;  // what the buffer shows, what goes back to it
   logic                     is_data, ended;
   logic [RegionW-1:0]       slot;
   logic [Lanes-1:0]         outside;
@@ -120,12 +130,16 @@ module ru_lanes #(
     end
   end
 
+  assign line    = in_line_i;
+  assign shown   = rdata_i;
+  assign wdata_o = blended;
+
   always_ff @(posedge clk_i) begin
     if (issue_o) begin
       region_1_q  <= in_i.region;
       quarter_1_q <= quarter_q;
       address_1_q <= raddr_o;
-      codes_1_q   <= in_line_i[quarter_q*Lanes*AlphaW +: Lanes*AlphaW];
+      codes_1_q   <= line.of[quarter_q];
       color_1_q   <= {in_i.blue, in_i.green, in_i.red};
       outside_1_q <= outside;
     end
@@ -134,7 +148,7 @@ module ru_lanes #(
       quarter_2_q <= quarter_1_q;
       address_2_q <= address_1_q;
       color_2_q   <= color_1_q;
-      rgb_2_q     <= fresh_i ? '0 : rdata_i[Lanes*ColorsW-1:0];
+      rgb_2_q     <= fresh_i ? '0 : shown.rgb;
     end
     if (valid_2_q) begin
       region_3_q  <= region_2_q;
@@ -149,24 +163,24 @@ module ru_lanes #(
     ru_blend u_blend (
       .clk_i,
       .enable_1_i(valid_1_q),
-      .code_i    (codes_1_q[i*AlphaW +: AlphaW]),
-      .t_i       (fresh_i ? One : rdata_i[TLow+i*TW +: TW]),
-      .done_i    (fresh_i ? outside_1_q[i] : rdata_i[DoneLow+i]),
+      .code_i    (codes_1_q.of[i]),
+      .t_i       (fresh_i ? One : shown.t[i]),
+      .done_i    (fresh_i ? outside_1_q[i] : shown.done[i]),
       .enable_2_i(valid_2_q),
-      .red_i     (color_2_q[0 +: ColorW]),
-      .green_i   (color_2_q[ColorW +: ColorW]),
-      .blue_i    (color_2_q[2*ColorW +: ColorW]),
-      .rgb_i     (rgb_3_q[i*ColorsW +: ColorsW]),
-      .rgb_o     (wdata_o[i*ColorsW +: ColorsW]),
-      .t_o       (wdata_o[TLow+i*TW +: TW]),
-      .done_o    (wdata_o[DoneLow+i])
+      .red_i     (color_2_q.red),
+      .green_i   (color_2_q.green),
+      .blue_i    (color_2_q.blue),
+      .rgb_i     (rgb_3_q.of[i]),
+      .rgb_o     (blended.rgb[i]),
+      .t_o       (blended.t[i]),
+      .done_o    (blended.done[i])
     );
   end
 
   if (pipegs_pkg::EarlyStop != 0) begin : gen_done
     logic [pipegs_pkg::Regions-1:0] done_q;
     logic                           all_q, all_done;  // all quarters of this region so far are done
-    assign all_done = (quarter_3_q == 2'd0 || all_q) && wdata_o[DoneLow +: Lanes] == '1;
+    assign all_done = (quarter_3_q == 2'd0 || all_q) && blended.done == '1;
     assign done_o   = done_q;
     always_ff @(posedge clk_i or negedge rst_ni) begin
       if (!rst_ni) done_q <= '0;

@@ -381,12 +381,12 @@ proof  su_bitonic "su_bitonic+" "@default %KeyW=1 %RecordW=2; @default %KeyW=2 %
 mutant "one stage too many for a full batch" 's/(1\) << size_q\)) >= fill_q/\1 > fill_q/'
 mutant "a key is loaded into a channel that was not sent" 's/fill_q < sent_q\)/fill_q <= sent_q)/'
 mutant "a channel without a key is not void" 's/\(i\) >= fill_q/(i) > fill_q/'
-mutant "a key is lost in an exchange" 's/ItemW\] += swap \? b : a/ItemW] = swap ? b : b/'
+mutant "a key is lost in an exchange" 's/(exchanged.* = swap \? b : )a/\1b/'
 mutant "the direction of the bit below" \
        's/down_bit = size_q\[DistanceW-1:0\] - distance_q - 1.b1/down_bit = size_q[DistanceW-1:0] - distance_q/'
 proof  su_bitonic_cell "su_bitonic+su_bitonic_cell" "@default"
-mutant "the lowest bit of the key is not compared" 's/([ab]\[ItemW-1 -: pipegs_pkg::KeyW)\+1\]/\1]/g'
-mutant "a bit of the slot stays behind" 's/ItemW\] += swap \? b : a/ItemW] = swap ? {b[ItemW-1:1], a[0]} : a/'
+mutant "the lowest bit of the key is not compared" 's/([ab]\[ItemW-1:pipegs_pkg::RecordW)\]/\1+1]/g'
+mutant "a bit of the slot stays behind" 's/(exchanged.* = swap \? )b : a/\1{b[ItemW-1:1], a[0]} : a/'
 mutant "direction of the last merge" 's/ \&\& !size_q\[DistanceW\]//'
 
 # --- rtl/ru -----------------------------------------------------------------------------------------------------------

@@ -122,13 +122,14 @@ module ru_live #(
   end
 
   // --- splats -> regions -> powers -----------------------------------------------------------------------------------
+  typedef struct packed {logic [Groups-1:0][PairW-1:0] of;} pairs_t;
   logic                         region_valid, region_ready, regions_busy, power_busy, end_valid, ended;
   logic [pipegs_pkg::KindW-1:0] end_kind;
   pipegs_pkg::region_t          region;
   logic [ColorsW-1:0]           region_color, color;
   logic [Groups-1:0]            half_valid, half_ready, group_issue, group_busy;
   logic [Groups*2-1:0]          half_live;
-  logic [Groups*PairW-1:0]      pairs;
+  pairs_t                       pairs;
   logic                         half;
   logic [RegionW-1:0]           half_region;
   logic [TapIndexW-1:0]         half_index;
@@ -184,7 +185,12 @@ module ru_live #(
   // --- the pixels' way out -------------------------------------------------------------------------------------------
   logic             job, drain_idle;
   logic [AddrW-1:0] job_address;
-  logic [WordW-1:0] word;
+  typedef struct packed {
+    logic [Lanes-1:0]              done;
+    logic [Lanes-1:0][TW-1:0]      t;
+    logic [Lanes-1:0][PixelsW-1:0] rgb;
+  } row_t;
+  row_t             row;
   logic [2:0]       job_q, odd_q;  // jobs of one, two, three cycles ago, and their rows of quads
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) job_q <= '0;
@@ -214,7 +220,7 @@ module ru_live #(
     .idle_o(drain_idle),
     .job_o(job),
     .job_address_o(job_address),
-    .word_i(word),
+    .word_i(row),
     .mem_valid_o(store_valid_o),
     .mem_ready_i(store_ready_i),
     .mem_address_o(store_address_o),
@@ -224,7 +230,8 @@ module ru_live #(
   );
 
   // --- quads ---------------------------------------------------------------------------------------------------------
-  logic [Groups*BankW-1:0] banks;  // what each bank shows
+  typedef struct packed {logic [Groups-1:0][BankW-1:0] of;} banks_t;
+  banks_t banks, written;  // what each bank shows, and is given
   for (genvar g = 0; g < Groups; g += 1) begin : gen_group
     logic             read, write;
     logic [AddrW-1:0] raddr, waddr;
@@ -236,7 +243,7 @@ module ru_live #(
       .in_valid_i(half_valid[g]),
       .in_ready_o(half_ready[g]),
       .in_live_i(half_live[2*g +: 2]),
-      .in_i(pairs[g*PairW +: PairW]),
+      .in_i(pairs.of[g]),
       .in_half_i(half),
       .in_region_i(half_region),
       .in_color_i(color),
@@ -265,7 +272,7 @@ module ru_live #(
       .tap_word_region_o(tap_word_region_o[g*RegionW +: RegionW]),
       .tap_word_row_o(tap_word_quarter_o[2*g +: 2])
     );
-    assign tap_word_o[g*BankW +: BankW] = wdata;
+    assign written.of[g] = wdata;
 
     pipegs_sram #(.DataW(BankW), .Depth(Words)) u_pixels (
       .clk_i,
@@ -276,17 +283,18 @@ module ru_live #(
       .raddr_i(raddr),
       .rdata_o(rdata)
     );
-    assign banks[g*BankW +: BankW] = rdata;
+    assign banks.of[g] = rdata;
   end
+  assign tap_word_o = written;
   // A row of quads as two rows of eight pixels: of each field all sixteen side by side. What the banks show the lanes
   // is kept from ru_drain, whose arithmetic would switch with it.
   for (genvar i = 0; i < Lanes; i += 1) begin : gen_pixel
     localparam int unsigned Even = i % 8 / 2, Odd = (Even + 2) % 4, Pixel = i / 8 * 2 + i % 2;
     logic [BankW-1:0] bank;
-    assign bank = {BankW{job_q[2]}} & (odd_q[2] ? banks[Odd*BankW +: BankW] : banks[Even*BankW +: BankW]);
-    assign word[i*PixelsW +: PixelsW]     = bank[Pixel*PixelsW +: PixelsW];
-    assign word[Lanes*PixelsW+i*TW +: TW] = bank[4*PixelsW+Pixel*TW +: TW];
-    assign word[Lanes*(PixelsW+TW)+i]     = bank[4*(PixelsW+TW)+Pixel];
+    assign bank = {BankW{job_q[2]}} & (odd_q[2] ? banks.of[Odd] : banks.of[Even]);
+    assign row.rgb[i]  = bank[Pixel*PixelsW +: PixelsW];
+    assign row.t[i]    = bank[4*PixelsW+Pixel*TW +: TW];
+    assign row.done[i] = bank[4*(PixelsW+TW)+Pixel];
   end
 
   assign issue_o = group_issue != '0;

@@ -60,9 +60,12 @@ module ru_power #(
   assign busy_o         = rows_valid_q || halves_q != '0;
 
   // --- starts of the rows; what the columns add ----------------------------------------------------------------------
-  logic [8*PowerW-1:0]    power_q;
-  logic [8*GradientW-1:0] slope_q;
-  logic [6*BendW-1:0]     bend_q;
+  typedef struct packed {
+    logic [7:0][PowerW-1:0]    power;
+    logic [7:0][GradientW-1:0] slope;
+    logic [5:0][BendW-1:0]     bend;  // from column 2 on
+  } rows_t;
+  rows_t rows_q;
   logic signed [CurveW-1:0] curve_x;
   assign curve_x = region_i.curve_x;
   for (genvar i = 0; i < 8; i += 1) begin : gen_row
@@ -80,15 +83,15 @@ module ru_power #(
     );
     always_ff @(posedge clk_i) begin
       if (region_valid_i && rows_move) begin
-        power_q[i*PowerW +: PowerW]       <= power;
-        slope_q[i*GradientW +: GradientW] <= slope;
+        rows_q.power[i] <= power;
+        rows_q.slope[i] <= slope;
       end
     end
   end
   // x (x - 1) curve of columns 2 to 7; it is 0 in columns 0 and 1.
   for (genvar x = 2; x < 8; x += 1) begin : gen_bend
     always_ff @(posedge clk_i) begin
-      if (region_valid_i && rows_move) bend_q[(x-2)*BendW +: BendW] <= BendW'(curve_x) * BendW'(x * (x - 1));
+      if (region_valid_i && rows_move) rows_q.bend[x-2] <= BendW'(curve_x) * BendW'(x * (x - 1));
     end
   end
 
@@ -101,7 +104,8 @@ module ru_power #(
   end
 
   // --- the pixels: P(x) = P(0) + x slope + x (x - 1) curve -----------------------------------------------------------
-  logic [64*ExponentW-1:0] exponents, exponents_q;
+  typedef struct packed {logic [63:0][ExponentW-1:0] of;} exponents_t;  // of each pixel, row by row
+  exponents_t              exponents, exponents_q;
   logic [63:0]             visible;
   logic [15:0]             live, live_q, stopped;  // quads, row by row
   logic [RegionW-1:0]      slot;
@@ -110,19 +114,19 @@ module ru_power #(
     logic signed [PowerW-1:0]    power, start;
     logic signed [GradientW-1:0] slope;
     logic signed [BendW-1:0]     bend;
-    assign start = power_q[Row*PowerW +: PowerW];
-    assign slope = slope_q[Row*GradientW +: GradientW];
+    assign start = rows_q.power[Row];
+    assign slope = rows_q.slope[Row];
     if (Column < 2) begin : gen_straight
       assign bend = '0;
     end else begin : gen_bent
-      assign bend = bend_q[(Column-2)*BendW +: BendW];
+      assign bend = rows_q.bend[Column-2];
     end
     assign power = start + PowerW'(slope) * PowerW'(Column) + PowerW'(bend);
     pu_clamp u_clamp (
       .power_i(power),
-      .exponent_o(exponents[i*ExponentW +: ExponentW])
+      .exponent_o(exponents.of[i])
     );
-    assign visible[i] = exponents[(i+1)*ExponentW-1];  // the highest field
+    assign visible[i] = exponents.of[i][ExponentW-1:ExponentW-1];  // the highest field
   end
   ru_slot u_slot (
     .region_i(rows_tag_q[ColorsW +: RegionW]),
@@ -137,11 +141,13 @@ module ru_power #(
   end
   for (genvar i = 0; i < 16; i += 1) begin : gen_quad
     localparam int unsigned First = 16 * (i / 4) + 2 * (i % 4);
-    assign live[i] = (visible[First +: 2] != '0 || visible[First+8 +: 2] != '0) && !stopped[i];
+    assign live[i] = (visible[First] || visible[First+1] || visible[First+8] || visible[First+9]) && !stopped[i];
     always_ff @(posedge clk_i) begin  // what lies behind a dead quad stands still
       if (rows_valid_q && pixels_move && live[i]) begin
-        exponents_q[First*ExponentW +: 2*ExponentW]     <= exponents[First*ExponentW +: 2*ExponentW];
-        exponents_q[(First+8)*ExponentW +: 2*ExponentW] <= exponents[(First+8)*ExponentW +: 2*ExponentW];
+        exponents_q.of[First]   <= exponents.of[First];
+        exponents_q.of[First+1] <= exponents.of[First+1];
+        exponents_q.of[First+8] <= exponents.of[First+8];
+        exponents_q.of[First+9] <= exponents.of[First+9];
       end
     end
   end
@@ -173,10 +179,10 @@ module ru_power #(
       for (genvar p = 0; p < 4; p += 1) begin : gen_lane
         localparam int unsigned Pixel = 16 * j + 2 * Column + 8 * (p / 2) + p % 2;  // of the first half
         assign out_o[g*PairW+(4*j+p)*ExponentW +: ExponentW] =
-          half ? exponents_q[(32+Pixel)*ExponentW +: ExponentW] : exponents_q[Pixel*ExponentW +: ExponentW];
+          half ? exponents_q.of[32+Pixel] : exponents_q.of[Pixel];
       end
     end
-    assign some[g] = out_live_o[2*g +: 2] != '0;
+    assign some[g] = out_live_o[2*g] || out_live_o[2*g+1];
   end
 
   wire unused_region = &{1'b0, region_i};  // where alphas lie

@@ -71,11 +71,18 @@ module ru_quads #(
   localparam int unsigned TapIndexW = pipegs_pkg::TapIndexW;
   localparam int unsigned PlaceW    = RegionW / 2;
   localparam int unsigned PixelsW   = 3 * RgbW;
-  localparam int unsigned TLow      = Lanes * PixelsW;     // first bit of the T fields
-  localparam int unsigned DoneLow   = TLow + Lanes * TW;   // first bit of the done flags
   localparam int unsigned Depth     = pipegs_pkg::RuHalves;
   localparam int unsigned QueuedW   = 2 + PairW + 1 + RegionW + ColorsW + TapIndexW;
   localparam logic [TW-1:0] One = TW'(1) << (TW - 1);
+  typedef struct packed {  // of a quad
+    logic [Lanes-1:0]              done;
+    logic [Lanes-1:0][TW-1:0]      t;
+    logic [Lanes-1:0][PixelsW-1:0] rgb;
+  } word_t;
+  typedef struct packed {logic [ColorW-1:0] blue, green, red;} color_t;
+  typedef struct packed {logic [Lanes-1:0][ExponentW-1:0] of;} exponents_t;
+  typedef struct packed {logic [Lanes-1:0][AlphaW-1:0] of;} codes_t;
+  typedef struct packed {logic [Lanes-1:0][PixelsW-1:0] of;} pixels_t;
   localparam logic [WordW-1:0] Clear = {Lanes'(0), {Lanes{One}}, (Lanes*PixelsW)'(0)};
 
   // --- the queue, and the quad that is next --------------------------------------------------------------------------
@@ -122,12 +129,13 @@ module ru_quads #(
   logic [RegionW-1:0]        region_1_q, region_2_q, region_3_q, region_4_q, region_5_q;
   logic [1:0]                row_1_q, row_2_q, row_3_q, row_4_q, row_5_q;
   logic [AddrW-1:0]          address_1_q, address_2_q, address_3_q, address_4_q, address_5_q;
-  logic [ColorsW-1:0]        color_1_q, color_2_q, color_3_q, color_4_q;
+  color_t                    color_1_q, color_2_q, color_3_q, color_4_q;
   logic [TapIndexW-1:0]      index_1_q, index_2_q;
-  logic [4*ExponentW-1:0]    exponents_1_q;
-  logic [Lanes*AlphaW-1:0]   codes, codes_3_q;
+  exponents_t                exponents_1_q;
+  codes_t                    codes, codes_3_q;
   logic [Lanes-1:0]          outside, outside_3_q;
-  logic [Lanes*PixelsW-1:0]  rgb_4_q, rgb_5_q;
+  pixels_t                   rgb_4_q, rgb_5_q;
+  word_t                     shown, blended;  // what the bank shows, what goes back to it
 
   assign conflict = (valid_1_q && address_1_q == address) || (valid_2_q && address_2_q == address) ||
                     (valid_3_q && address_3_q == address);
@@ -158,7 +166,7 @@ module ru_quads #(
       row_1_q       <= row;
       color_1_q     <= color;
       index_1_q     <= index;
-      exponents_1_q <= second ? pair[4*ExponentW +: 4*ExponentW] : pair[0 +: 4*ExponentW];
+      exponents_1_q <= second ? pair[PairW-1:PairW/2] : pair[PairW/2-1:0];
     end
     if (valid_1_q) begin
       region_2_q  <= region_1_q;
@@ -183,7 +191,7 @@ module ru_quads #(
       address_4_q <= address_3_q;
       drain_4_q   <= drain_3_q;
       color_4_q   <= color_3_q;
-      rgb_4_q     <= rdata_i[Lanes*PixelsW-1:0];
+      rgb_4_q     <= shown.rgb;
     end
     if (valid_4_q) begin
       region_5_q  <= region_4_q;
@@ -215,28 +223,28 @@ module ru_quads #(
   assign raddr_o = address_2_q;
 
   // --- the lanes -----------------------------------------------------------------------------------------------------
-  logic [WordW-1:0] blended;
+  assign shown = rdata_i;
   for (genvar i = 0; i < Lanes; i += 1) begin : gen_lane
     pu_code u_code (
       .clk_i,
       .enable_i(valid_1_q),
-      .exponent_i(exponents_1_q[i*ExponentW +: ExponentW]),
-      .code_o(codes[i*AlphaW +: AlphaW])
+      .exponent_i(exponents_1_q.of[i]),
+      .code_o(codes.of[i])
     );
     ru_blend u_blend (
       .clk_i,
       .enable_1_i(valid_3_q),
-      .code_i    (codes_3_q[i*AlphaW +: AlphaW]),
-      .t_i       (rdata_i[TLow+i*TW +: TW]),
-      .done_i    (outside_3_q[i] || rdata_i[DoneLow+i]),
+      .code_i    (codes_3_q.of[i]),
+      .t_i       (shown.t[i]),
+      .done_i    (outside_3_q[i] || shown.done[i]),
       .enable_2_i(valid_4_q),
-      .red_i     (color_4_q[0 +: ColorW]),
-      .green_i   (color_4_q[ColorW +: ColorW]),
-      .blue_i    (color_4_q[2*ColorW +: ColorW]),
-      .rgb_i     (rgb_5_q[i*PixelsW +: PixelsW]),
-      .rgb_o     (blended[i*PixelsW +: PixelsW]),
-      .t_o       (blended[TLow+i*TW +: TW]),
-      .done_o    (blended[DoneLow+i])
+      .red_i     (color_4_q.red),
+      .green_i   (color_4_q.green),
+      .blue_i    (color_4_q.blue),
+      .rgb_i     (rgb_5_q.of[i]),
+      .rgb_o     (blended.rgb[i]),
+      .t_o       (blended.t[i]),
+      .done_o    (blended.done[i])
     );
   end
   assign write_o = valid_5_q;
@@ -249,7 +257,7 @@ module ru_quads #(
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) stopped_q <= '0;
     else if (clear_i) stopped_q <= outside_i;
-    else if (pipegs_pkg::EarlyStop != 0 && write_o && wdata_o[DoneLow +: Lanes] == '1) stopped_q[address_5_q] <= 1'b1;
+    else if (pipegs_pkg::EarlyStop != 0 && write_o && wdata_o[WordW-1:WordW-Lanes] == '1) stopped_q[address_5_q] <= 1'b1;
   end
 
   assign tap_quad_valid_o  = valid_2_q && !drain_2_q;

@@ -40,7 +40,8 @@ module su_bitonic (
   localparam int unsigned DataW = pipegs_pkg::KeyW + pipegs_pkg::RecordW;
   localparam int unsigned ItemW = DataW + 1;  // {void, key, slot}
 
-  logic [Channels*ItemW-1:0] items_q, exchanged, sorted;
+  typedef struct packed {logic [Channels-1:0][ItemW-1:0] of;} items_t;  // one a place
+  items_t                    items_q, exchanged, sorted;
   logic [DistanceW-1:0]      turn, down_bit;
   logic [ChannelW:0]         fill_q;      // keys of the coming batch that are loaded
   logic                      loaded_q;    // ... and that is all of them
@@ -53,7 +54,7 @@ module su_bitonic (
 
   assign in_ready_o  = !sorting_q && !loaded_q && (fill_q >= live_q || fill_q < sent_q);
   assign out_valid_o = !sorting_q && sent_q < live_q;
-  assign {out_key_o, out_slot_o} = items_q[sent_q[ChannelW-1:0]*ItemW +: DataW];
+  assign {out_key_o, out_slot_o} = DataW'(items_q.of[sent_q[ChannelW-1:0]]);
   assign load        = in_valid_i && in_ready_o;
   assign send        = out_valid_o && out_ready_i;
   assign start       = !sorting_q && loaded_q && sent_q == live_q;
@@ -72,12 +73,12 @@ module su_bitonic (
     logic [ItemW-1:0] a, b;
     logic             swap;
     always_comb begin
-      a = items_q[2*c*ItemW +: ItemW];
-      b = items_q[(2*c+1)*ItemW +: ItemW];
-      swap = (a[ItemW-1 -: pipegs_pkg::KeyW+1] > b[ItemW-1 -: pipegs_pkg::KeyW+1]) !=
+      a = items_q.of[2*c];
+      b = items_q.of[2*c+1];
+      swap = (a[ItemW-1:pipegs_pkg::RecordW] > b[ItemW-1:pipegs_pkg::RecordW]) !=
              (Number[down_bit] && !size_q[DistanceW]);
-      exchanged[2*c*ItemW +: ItemW]     = swap ? b : a;
-      exchanged[(2*c+1)*ItemW +: ItemW] = swap ? a : b;
+      exchanged.of[2*c]   = swap ? b : a;
+      exchanged.of[2*c+1] = swap ? a : b;
     end
   end
 
@@ -87,16 +88,16 @@ module su_bitonic (
     localparam int unsigned From3 = (i * 8) % Channels + i / 2;
     always_comb begin
       unique case (turn)
-        2'd0:    sorted[i*ItemW +: ItemW] = exchanged[i*ItemW +: ItemW];
-        2'd1:    sorted[i*ItemW +: ItemW] = exchanged[From1*ItemW +: ItemW];
-        2'd2:    sorted[i*ItemW +: ItemW] = exchanged[From2*ItemW +: ItemW];
-        default: sorted[i*ItemW +: ItemW] = exchanged[From3*ItemW +: ItemW];
+        2'd0:    sorted.of[i] = exchanged.of[i];
+        2'd1:    sorted.of[i] = exchanged.of[From1];
+        2'd2:    sorted.of[i] = exchanged.of[From2];
+        default: sorted.of[i] = exchanged.of[From3];
       endcase
     end
     always_ff @(posedge clk_i) begin
-      if (sorting_q) items_q[i*ItemW +: ItemW] <= sorted[i*ItemW +: ItemW];
-      else if (load && fill_q == (ChannelW+1)'(i)) items_q[i*ItemW +: ItemW] <= {1'b0, in_key_i, in_slot_i};
-      else if (start) items_q[i*ItemW+ItemW-1] <= (ChannelW+1)'(i) >= fill_q;
+      if (sorting_q) items_q.of[i] <= sorted.of[i];
+      else if (load && fill_q == (ChannelW+1)'(i)) items_q.of[i] <= {1'b0, in_key_i, in_slot_i};
+      else if (start) items_q.of[i][DataW:DataW] <= (ChannelW+1)'(i) >= fill_q;
     end
   end
 

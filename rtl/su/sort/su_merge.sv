@@ -36,21 +36,25 @@ module su_merge (
 
   logic                   out_valid_q, go, mark;
   pipegs_pkg::sorted_t    out_q, out_d;
-  logic [Units*HeadW-1:0] heads;
+  typedef struct packed {logic [Units-1:0][HeadW-1:0] of;} heads_t;
+  typedef struct packed {logic [Units-1:0][pipegs_pkg::SplatBits-1:0] of;} splats_t;
+  heads_t                 heads;
+  splats_t                splats;
   logic [Units-1:0]       ends, nearest;
   logic [Units*Units-1:0] beats;
   logic                   unused_heads;  // with one lane nothing is compared
   logic [pipegs_pkg::UnitW-1:0]     winner_unit;
   logic [pipegs_pkg::SplatBits-1:0] winner_bits;
 
+  assign splats = in_i;
   for (genvar i = 0; i < Units; i += 1) begin : gen_head
     logic [KeyW-1:0] key;
     su_key u_key (
-      .splat_i(in_i[i*pipegs_pkg::SplatBits +: pipegs_pkg::SplatBits]),
+      .splat_i(splats.of[i]),
       .key_o(key)
     );
-    assign ends[i] = in_i[i*pipegs_pkg::SplatBits +: KindW] != pipegs_pkg::KindData;
-    assign heads[i*HeadW +: HeadW] = {ends[i], key};
+    assign ends[i] = splats.of[i][KindW-1:0] != pipegs_pkg::KindData;
+    assign heads.of[i] = {ends[i], key};
   end
   assign unused_heads = &{1'b0, heads};
 
@@ -64,7 +68,7 @@ module su_merge (
   always_comb begin
     for (int unsigned i = 0; i < Units; i += 1) begin
       for (int unsigned j = i; j < Units; j += 1) begin
-        beats[i*Units+j] = heads[i*HeadW +: HeadW] <= heads[j*HeadW +: HeadW];
+        beats[i*Units+j] = heads.of[i] <= heads.of[j];
         if (i != j) beats[j*Units+i] = !beats[i*Units+j];
       end
     end
@@ -76,7 +80,7 @@ module su_merge (
     winner_unit = '0;
     for (int unsigned i = 0; i < Units; i += 1) begin
       if (nearest[i]) begin
-        winner_bits |= in_i[i*pipegs_pkg::SplatBits +: pipegs_pkg::SplatBits];
+        winner_bits |= splats.of[i];
         winner_unit |= pipegs_pkg::UnitW'(i);
       end
     end
@@ -86,7 +90,7 @@ module su_merge (
   // there for the taps.
   assign out_d = pipegs_pkg::SortedBits'({winner_unit, winner_bits[pipegs_pkg::SplatBits-1:KindW+DepthW+NameW],
                                           winner_bits[KindW+DepthW +: TapNameW],
-                                          winner_bits[KindW +: pipegs_pkg::TapDepthW], winner_bits[KindW-1:0]});
+                                          winner_bits[KindW+pipegs_pkg::TapDepthW-1:KindW], winner_bits[KindW-1:0]});
 
   assign out_valid_o = out_valid_q;
   assign out_o       = out_q;
