@@ -253,11 +253,13 @@ module ru_quads #(
 
   // --- what has stopped ----------------------------------------------------------------------------------------------
   logic [Words-1:0] stopped_q;
+  logic             finished;  // all pixels of the quad
   assign stopped_o = stopped_q;
+  assign finished  = wdata_o[WordW-1:WordW-Lanes] == '1;
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) stopped_q <= '0;
     else if (clear_i) stopped_q <= outside_i;
-    else if (pipegs_pkg::EarlyStop != 0 && write_o && wdata_o[WordW-1:WordW-Lanes] == '1) stopped_q[address_5_q] <= 1'b1;
+    else if (pipegs_pkg::EarlyStop != 0 && write_o && finished) stopped_q[address_5_q] <= 1'b1;
   end
 
   assign tap_quad_valid_o  = valid_2_q && !drain_2_q;
