@@ -168,13 +168,13 @@ module dopu_cells #(
     .clk_i,
     .write_i(answer),
     .waddr_i(write_line_q),
-    .wdata_i({rsp_data_i[pipegs_pkg::MemoryW/2 +: NodeBits], rsp_data_i[0 +: NodeBits]}),
+    .wdata_i({rsp_data_i[pipegs_pkg::MemoryW/2 +: NodeBits], rsp_data_i[NodeBits-1:0]}),
     .read_i(read),
     .raddr_i(cell_i[CellW-1 -: TableW]),
     .rdata_o(line)
   );
 
-  assign item         = item_half_q ? line[NodeBits +: NodeBits] : line[0 +: NodeBits];
+  assign item         = item_half_q ? line[2*NodeBits-1:NodeBits] : line[NodeBits-1:0];
   assign is_shown     = item_kind_q == pipegs_pkg::KindData ? item.count != '0 :
                         pipegs_pkg::Layered != 0 || item_kind_q == pipegs_pkg::KindWindowEnd;
   assign cell_valid_o = item_valid_q && is_shown;

@@ -73,7 +73,7 @@ module dopu_descend #(
 
   always_comb begin
     for (int unsigned l = 0; l < Levels; l += 1) begin
-      is_done[l] = set_done_i[beat[l][BeatW-1]] && beat[l][NodeBits +: KindW] == pipegs_pkg::KindData;
+      is_done[l] = set_done_i[beat[l][BeatW-1]] && beat[l][BeatW-2:NodeBits] == pipegs_pkg::KindData;
       drop[l]    = node_valid[l] && is_done[l];
       want[l]    = node_valid[l] && !is_done[l] && reserved_q[l] != ReservedW'(Results);
     end
@@ -113,7 +113,7 @@ module dopu_descend #(
     .planes_i,
     .node_valid_i(test_valid),
     .node_ready_o(test_ready),
-    .node_i(test_beat[0 +: NodeBits]),
+    .node_i(test_beat[NodeBits-1:0]),
     .set_i(test_beat[BeatW-1]),
     .tight_i(1'b0),
     .scale_i('0),
@@ -169,8 +169,8 @@ module dopu_descend #(
   logic [pipegs_pkg::SlotW-1:0]  first [2];
   logic [pipegs_pkg::CountW-1:0] count [2];
 
-  assign parent_cell  = kept[0][0 +: NodeBits];
-  assign parent_group = kept[1][0 +: NodeBits];
+  assign parent_cell  = kept[0][NodeBits-1:0];
+  assign parent_group = kept[1][NodeBits-1:0];
   assign first[0]     = parent_cell.first;
   assign first[1]     = parent_group.first;
   assign count[0]     = parent_cell.count;
@@ -183,7 +183,7 @@ module dopu_descend #(
       logic [pipegs_pkg::SlotW-1:0] out_index;
       logic [NodeBits-1:0] out_node;
 
-      assign parent_data = kept[l][NodeBits +: KindW] == pipegs_pkg::KindData;
+      assign parent_data = kept[l][BeatW-2:NodeBits] == pipegs_pkg::KindData;
       assign parent_done = parent_data && set_done_i[kept[l][BeatW-1]];
       assign kept_ready[l] = job_ready || parent_done;
 
@@ -225,9 +225,9 @@ module dopu_descend #(
 
   // --- chunks that passed -------------------------------------------------------------------------------------------
   logic chunk_done, shown_q;  // shown: a chunk once shown is not taken back, even if its window is done now
-  assign chunk_kind_o  = kept[2][NodeBits +: KindW];
+  assign chunk_kind_o  = kept[2][BeatW-2:NodeBits];
   assign chunk_set_o   = kept[2][BeatW-1];
-  assign chunk_o       = kept[2][0 +: NodeBits];
+  assign chunk_o       = kept[2][NodeBits-1:0];
   assign chunk_done    = chunk_kind_o == pipegs_pkg::KindData && set_done_i[chunk_set_o] && !shown_q;
   assign chunk_valid_o = kept_valid[2] && !chunk_done;
   assign kept_ready[2] = chunk_ready_i || chunk_done;

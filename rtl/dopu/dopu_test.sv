@@ -94,7 +94,7 @@ module dopu_test #(
   logic signed [CornerW-1:0]  low_q [4];   // delay until the exponent is known
   logic signed [CornerW-1:0]  high_q [4];
 
-  assign node0 = slot0_q[0 +: pipegs_pkg::NodeBits];
+  assign node0 = slot0_q[pipegs_pkg::NodeBits-1:0];
   always_comb begin
     case (phase_q)
       2'd0: begin center = node0.center_x; camera = position_i.x; half = node0.half_x; end
@@ -128,8 +128,8 @@ module dopu_test #(
   logic signed [CornerW-1:0] low_wide, high_wide;
   logic signed [TestW-1:0]   low_cut, high_cut, low_x_cut_q, high_x_cut_q, low_y_cut_q, high_y_cut_q;
 
-  assign node1   = slot1_q[0 +: pipegs_pkg::NodeBits];
-  assign scale_e = scale1[ScaleMW +: ScaleEW];
+  assign node1   = slot1_q[pipegs_pkg::NodeBits-1:0];
+  assign scale_e = scale1[pipegs_pkg::ScaleW-1:ScaleMW];
   pipegs_bit_length #(.DataW(CornerW)) u_length (
     .in_i(magnitudes_q),
     .length_o(corner_length)
@@ -193,6 +193,8 @@ module dopu_test #(
   // --- two planes per cycle: near and left, right and top, bottom ---------------------------------------------------
   localparam bit Ranks = pipegs_pkg::HasWatermarks;
   logic                       set_d;
+  typedef struct packed {logic [9:0][PlaneBits-1:0] of;} planes_t;  // five of each set
+  planes_t                    planes;
   logic [1:0]                 first_q, second_q, third_q;  // phases 1, 2 and 0, of either set
   logic                       nearest;    // phase 0: plane b is the near plane's normal, of the corner nearest to it
   pipegs_pkg::plane_t         plane_a, plane_b;
@@ -208,16 +210,17 @@ module dopu_test #(
     second_q <= phase_q == 2'd1 ? {set_d, !set_d} : '0;
     third_q  <= last_phase ? {set_d, !set_d} : '0;
   end
+  assign planes = planes_i;
   always_comb begin
     plane_a = '0;
     plane_b = '0;
     for (int unsigned set = 0; set < 2; set += 1) begin
-      plane_a |= ({PlaneBits{first_q[set]}} & planes_i[(5*set)*PlaneBits +: PlaneBits]) |
-                 ({PlaneBits{second_q[set]}} & planes_i[(5*set+2)*PlaneBits +: PlaneBits]) |
-                 ({PlaneBits{third_q[set]}} & planes_i[(5*set+4)*PlaneBits +: PlaneBits]);
-      plane_b |= ({PlaneBits{first_q[set]}} & planes_i[(5*set+1)*PlaneBits +: PlaneBits]) |
-                 ({PlaneBits{second_q[set]}} & planes_i[(5*set+3)*PlaneBits +: PlaneBits]) |
-                 ({PlaneBits{third_q[set]}} & planes_i[(5*set + (Ranks ? 0 : 4))*PlaneBits +: PlaneBits]);
+      plane_a |= ({PlaneBits{first_q[set]}} & planes.of[5*set]) |
+                 ({PlaneBits{second_q[set]}} & planes.of[5*set+2]) |
+                 ({PlaneBits{third_q[set]}} & planes.of[5*set+4]);
+      plane_b |= ({PlaneBits{first_q[set]}} & planes.of[5*set+1]) |
+                 ({PlaneBits{second_q[set]}} & planes.of[5*set+3]) |
+                 ({PlaneBits{third_q[set]}} & planes.of[5*set + (Ranks ? 0 : 4)]);
     end
   end
   assign nearest   = Ranks && third_q != '0;
@@ -241,7 +244,7 @@ module dopu_test #(
       end
     end
     assign scale1 = scale1_q;
-    assign normal = slot0_q[StageW-1] ? planes_i[5*PlaneBits +: 3*TestW] : planes_i[0 +: 3*TestW];  // x lowest
+    assign normal = (3*TestW)'(slot0_q[StageW-1] ? planes.of[5] : planes.of[0]);  // x lowest
     always_comb begin
       case (phase_q)
         2'd0: begin {down, up} = {node0.down_x, 1'b0, node0.up_x, 1'b0}; ahead = !normal[TestW-1]; end
@@ -305,8 +308,8 @@ module dopu_test #(
   // The last sum is made in phase 1 of slot 3; the result stands in phase 2.
   assign result_valid_o = valid_q[4];
   assign result_pass_o  = !outside_q;
-  assign result_node_o  = slot3_q[0 +: pipegs_pkg::NodeBits];
-  assign result_tag_o   = slot3_q[pipegs_pkg::NodeBits +: TagW];
+  assign result_node_o  = slot3_q[pipegs_pkg::NodeBits-1:0];
+  assign result_tag_o   = slot3_q[StageW-2:pipegs_pkg::NodeBits];
 
   // --- the depth of the nearest corner, what roundings may take off, and its unit -----------------------------------
   if (Ranks) begin : gen_nearest

@@ -241,7 +241,8 @@ module dopu_nearest #(
   logic [BucketW-1:0]       out_bucket;
   logic [DataW-1:0]         out_data;
   logic [Lists-1:0]         first_valid;
-  logic [Lists*BucketW-1:0] first_bucket;
+  typedef struct packed {logic [Lists-1:0][BucketW-1:0] of;} buckets_t;
+  buckets_t first_bucket;
   logic [Levels-1:0]        direct, some;      // some: cells that wait for level 1, groups for level 2, its chunks
   logic [BucketW-1:0]       first [Levels];
   logic                     direct_chunk, direct_ready, send_pop;
@@ -310,7 +311,7 @@ module dopu_nearest #(
   always_comb begin
     for (int unsigned l = 0; l < Levels; l += 1) begin
       some[l]  = first_valid[{2'(l), set_q[l == 0 ? 1 : 2]}];
-      first[l] = first_bucket[32'({2'(l), set_q[l == 0 ? 1 : 2]})*BucketW +: BucketW];
+      first[l] = first_bucket.of[{2'(l), set_q[l == 0 ? 1 : 2]}];
     end
   end
   assign few         = 32'(waiting_q[set_q[2]]) < Ahead && !crowded;
@@ -334,7 +335,7 @@ module dopu_nearest #(
         .open_valid_i(open_valid[l]),
         .open_ready_o(open_ready[l]),
         .open_bucket_i(open_bucket[l]),
-        .open_first_i(open_range[l][0 +: SlotW]),
+        .open_first_i(open_range[l][SlotW-1:0]),
         .open_count_i(open_range[l][SlotW +: CountW]),
         .mem_valid_o(mem_valid_o[l]),
         .mem_ready_i(mem_ready_i[l]),
@@ -365,14 +366,15 @@ module dopu_nearest #(
   assign through[2] = working[2] && complete_q[1][set_q[2]] && !some[1] && !any_open[1];
 
   // --- sending ------------------------------------------------------------------------------------------------------
-  logic [4*BucketW-1:0] unopened;  // of the window sent, the nearest cell open, cell waiting, group open, group waiting
+  typedef struct packed {logic [BucketW-1:0] group_waiting, group_open, cell_waiting, cell_open;} unopened_t;
+  unopened_t unopened;  // the nearest ones of the window sent
 
   always_comb begin
     unopened = {first[1], open_nearest[1], first[0], open_nearest[0]};
-    if (complete_q[1][send_set]) unopened[0 +: 2*BucketW] = '1;      // else level 1 works on it, and level 2 too
-    if (!some[0]) unopened[1*BucketW +: BucketW] = '1;
-    if (!some[1]) unopened[3*BucketW +: BucketW] = '1;
-    if (!complete_q[0][send_set]) unopened[0 +: BucketW] = '0;       // cells are still to come
+    if (complete_q[1][send_set]) {unopened.cell_waiting, unopened.cell_open} = '1;  // else levels 1 and 2 work on it
+    if (!some[0]) unopened.cell_waiting = '1;
+    if (!some[1]) unopened.group_waiting = '1;
+    if (!complete_q[0][send_set]) unopened.cell_open = '0;  // cells are still to come
   end
 
   dopu_send u_send (
@@ -385,7 +387,7 @@ module dopu_nearest #(
     .unopened_i(unopened),
     .window_end_o(window_end),
     .first_valid_i(first_valid[5:4]),
-    .first_bucket_i(first_bucket[4*BucketW +: 2*BucketW]),
+    .first_bucket_i({first_bucket.of[5], first_bucket.of[4]}),
     .pop_o(send_pop),
     .pop_ready_i(pop_ready),
     .popped_i(out_valid && out_level == 2'd2),

@@ -104,9 +104,12 @@ module pu_color_sum (
 
   // --- operands: the pair of coefficients and basis functions of this step -------------------------------------
   logic [pipegs_pkg::MemoryW-1:0]      slot;
-  logic [Steps*PairW-1:0]              coefs;
-  logic [2*Steps*BasisW-1:0]           functions;
-  logic [PairW-1:0]                    coef_pair, pair_q;
+  typedef struct packed {logic [Steps-1:0][PairW-1:0] of;} coefs_t;
+  typedef struct packed {logic [Steps-1:0][2*BasisW-1:0] of;} functions_t;
+  typedef struct packed {logic [5:0][CoefW-1:0] of;} pair_t;  // three channels of one function, then of the other
+  coefs_t                              coefs;
+  functions_t                          functions;
+  pair_t                               coef_pair, pair_q;
   logic [2*BasisW-1:0]                 function_pair;
   logic signed [BasisW-1:0]            even_q, odd_q;
   logic                                operand_valid_q, operand_first_q, product_valid_q, product_first_q;
@@ -119,15 +122,15 @@ module pu_color_sum (
       end
     end
     coefs = (Steps*PairW)'(slot[pipegs_pkg::MemoryW-1:ExpW]);
-    if (degree == 2'd1) coefs[2*PairW-1 -: PairW/2] = '0;             // bands hold 3, 8 and 15 functions
-    if (degree == 2'd3) coefs[Steps*PairW-1 -: PairW/2] = '0;
+    if (degree == 2'd1) coefs.of[1][PairW-1:PairW/2] = '0;        // bands hold 3, 8 and 15 functions
+    if (degree == 2'd3) coefs.of[Steps-1][PairW-1:PairW/2] = '0;
     functions = (2*Steps*BasisW)'(basis_i);
     coef_pair     = '0;
     function_pair = '0;
     for (int unsigned i = 0; i < Steps; i += 1) begin
       if (step_q == 3'(i)) begin
-        coef_pair     = coefs[PairW*i +: PairW];
-        function_pair = functions[2*BasisW*i +: 2*BasisW];
+        coef_pair     = coefs.of[i];
+        function_pair = functions.of[i];
       end
     end
   end
@@ -164,8 +167,10 @@ module pu_color_sum (
   end
 
   // --- three channels ----------------------------------------------------------------------------------------------
-  logic [3*BaseW-1:0]  bases_q;
-  logic [3*ColorW-1:0] colors;
+  typedef struct packed {logic [2:0][BaseW-1:0] of;} bases_t;
+  typedef struct packed {logic [2:0][ColorW-1:0] of;} colors_t;
+  bases_t              bases_q;
+  colors_t             colors;
   logic [ShiftW-1:0]   shift;
 
   assign shift = ShiftW'(ShiftTop) - ShiftW'(exponent_q);
@@ -185,8 +190,8 @@ module pu_color_sum (
       logic signed [SumW-1:0]     both, sum_q, cut, near;
       logic signed [WorkW-1:0]    bands_q;
 
-      assign even = pair_q[c*CoefW +: CoefW];
-      assign odd  = pair_q[(3+c)*CoefW +: CoefW];
+      assign even = pair_q.of[c];
+      assign odd  = pair_q.of[3+c];
       assign both = SumW'(even_product_q) + SumW'(odd_product_q);
       // To nearest: the first bit that is dropped is added.
       assign cut  = sum_q >>> shift;
@@ -209,7 +214,7 @@ module pu_color_sum (
                             shift};
     end
 
-    assign base  = bases_q[c*BaseW +: BaseW];
+    assign base  = bases_q.of[c];
     assign total = TotalW'(bands) + (TotalW'(base) <<< (WorkF - BaseF));
     assign value = (total >>> (WorkF - ColorF)) + TotalW'($signed({1'b0, total[WorkF-ColorF-1]}));
 
@@ -218,7 +223,7 @@ module pu_color_sum (
       if (pipegs_pkg::Saturation != 0 && value[TotalW-1:ColorW] != '0) color = '1;
       if (value[TotalW-1] || !data_q) color = '0;
     end
-    assign colors[c*ColorW +: ColorW] = color;
+    assign colors.of[c] = color;
   end
 
   always_ff @(posedge clk_i) begin
@@ -231,9 +236,9 @@ module pu_color_sum (
       colored_q.ext     <= task_i.ext;
     end
     if (tail_q == 3'd4) begin
-      colored_q.red   <= colors[0 +: ColorW];
-      colored_q.green <= colors[ColorW +: ColorW];
-      colored_q.blue  <= colors[2*ColorW +: ColorW];
+      colored_q.red   <= colors.of[0];
+      colored_q.green <= colors.of[1];
+      colored_q.blue  <= colors.of[2];
     end
   end
 
