@@ -110,15 +110,15 @@ module pu_color_basis (
 
   // To nearest: the bit below the last one kept is added.
   always_comb begin
-    near0   = product0_q[F +: W] + W'(product0_q[F-1]);
-    near1   = product1_q[F +: W] + W'(product1_q[F-1]);
-    near2   = product2_q[F +: W] + W'(product2_q[F-1]);
-    near3   = product3_q[F +: W] + W'(product3_q[F-1]);
-    twice0  = product0_q[F-1 +: BasisW] + BasisW'(product0_q[F-2]);
-    twice1  = product1_q[F-1 +: BasisW] + BasisW'(product1_q[F-2]);
-    twice2  = product2_q[F-1 +: BasisW] + BasisW'(product2_q[F-2]);
-    twice3  = product3_q[F-1 +: BasisW] + BasisW'(product3_q[F-2]);
-    half1   = product1_q[F+1 +: BasisW] + BasisW'(product1_q[F]);
+    near0   = W'(product0_q >>> F) + W'(product0_q[F-1]);
+    near1   = W'(product1_q >>> F) + W'(product1_q[F-1]);
+    near2   = W'(product2_q >>> F) + W'(product2_q[F-1]);
+    near3   = W'(product3_q >>> F) + W'(product3_q[F-1]);
+    twice0  = BasisW'(product0_q >>> (F - 1)) + BasisW'(product0_q[F-2]);
+    twice1  = BasisW'(product1_q >>> (F - 1)) + BasisW'(product1_q[F-2]);
+    twice2  = BasisW'(product2_q >>> (F - 1)) + BasisW'(product2_q[F-2]);
+    twice3  = BasisW'(product3_q >>> (F - 1)) + BasisW'(product3_q[F-2]);
+    half1   = BasisW'(product1_q >>> (F + 1)) + BasisW'(product1_q[F]);
     cross9  = SumW'(product1_q) + SumW'(product2_q);
     cross15 = SumW'(product0_q) - SumW'(product3_q);
     done     = work_q;
@@ -182,8 +182,8 @@ module pu_color_basis (
           pole_q    <= near3 + PoleB;
         end
         3'd4: begin
-          work_q.b9  <= cross9[F +: BasisW] + BasisW'(cross9[F-1]);
-          work_q.b15 <= cross15[F +: BasisW] + BasisW'(cross15[F-1]);
+          work_q.b9  <= BasisW'(cross9 >>> F) + BasisW'(cross9[F-1]);
+          work_q.b15 <= BasisW'(cross15 >>> F) + BasisW'(cross15[F-1]);
         end
         3'd5: begin
           work_q.b10 <= twice0;

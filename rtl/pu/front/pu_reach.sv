@@ -99,8 +99,10 @@ module pu_reach (
   logic signed [GapW-1:0]   gap1_q;
   logic signed [MagW:0]     side1_q;
   logic        [MagW-1:0]   z1_q, z2_q;
-  logic [3*ScaleEW-1:0]     exps1_q;
-  logic [3*7-1:0]           ones1_q;   // mantissas of the scales, 32 to 64, or 0
+  typedef struct packed {logic [2:0][ScaleEW-1:0] of;} exps_t;
+  typedef struct packed {logic [2:0][6:0] of;} ones_t;  // mantissas of the scales, 32 to 64, or 0
+  exps_t                    exps1_q;
+  ones_t                    ones1_q;
   logic [ScaleEW-1:0]       largest1_q, larger;
   logic [ScaleEW-1:0]       e0, e1, e2;
   logic signed [8:0]        exponent1_q;
@@ -119,7 +121,7 @@ module pu_reach (
   always_ff @(posedge clk_i) begin
     if (load[1]) begin
       along_x_q[1] <= along_x;
-      opacity_q[1] <= culled.opacity[pipegs_pkg::OpacityW-1 -: 6];
+      opacity_q[1] <= culled.opacity[pipegs_pkg::OpacityW-1:pipegs_pkg::OpacityW-6];
       test_q[1]    <= !gap.untested && (gap.gap_x > 0 || gap.gap_y > 0);
       gap1_q       <= along_x ? gap.gap_x : gap.gap_y;
       side1_q      <= along_x ? gap.x : gap.y;
@@ -175,24 +177,24 @@ module pu_reach (
   logic        [LimitW-1:0]       limit;
   logic        [LimitW+MagW-1:0]  bound2_q;   // with F fraction bits
   logic signed [MagW:0]           side2_q;
-  logic        [3*7-1:0]          ones2_q;
-  logic        [3*ScaleEW-1:0]    below2_q;   // exponents below the largest
+  ones_t                          ones2_q;
+  exps_t                          below2_q;   // exponents below the largest
   logic signed [8:0]              exponent2_q;
-  assign limit = along_x_q[1] ? lens_i.limit_x[TanF+3 -: LimitW] : lens_i.limit_y[TanF+3 -: LimitW];
+  assign limit = along_x_q[1] ? lens_i.limit_x[TanF+3:TanF+4-LimitW] : lens_i.limit_y[TanF+3:TanF+4-LimitW];
   pipegs_normalize #(.DataW(GapW)) u_gap (
     .in_i(gap1_q),
     .out_o(normal),
     .shift_o(gap_shift)
   );
   always_ff @(posedge clk_i) if (load[2]) begin
-    gap2_q      <= normal[GapW-2 -: GapMW];
+    gap2_q      <= normal[GapW-2:GapW-1-GapMW];
     bound2_q    <= (LimitW + MagW)'(limit) * (LimitW + MagW)'(z1_q);
     side2_q     <= side1_q;
     z2_q        <= z1_q;
     ones2_q     <= ones1_q;
     exponent2_q <= exponent1_q - $signed(9'(gap_shift)) - $signed(9'(largest1_q));
     for (int unsigned k = 0; k < 3; k += 1)
-      below2_q[ScaleEW*k +: ScaleEW] <= largest1_q - exps1_q[ScaleEW*k +: ScaleEW];
+      below2_q.of[k] <= largest1_q - exps1_q.of[k];
   end
 
   // --- stage 3: x or y clamped, shifted up with z; the scales at the exponent of the largest ------------------------
@@ -204,7 +206,9 @@ module pu_reach (
   logic        [1:0]        lift;
   logic signed [ZW:0]       t3_q;
   logic        [ZW-1:0]     z3_q;
-  logic        [3*7-1:0]    scales_q [8];  // 3 to 7
+  ones_t                    scales;
+  logic        [20:0]       scales_q [8];  // 3 to 7
+  ones_t                    scales7;
   logic signed [8:0]        exponent3_q;
   assign bound       = $signed({1'b0, bound2_q[LimitW+MagW-1:F]});
   assign wide_side   = BoundW'(side2_q);
@@ -218,14 +222,17 @@ module pu_reach (
   function automatic logic [6:0] scaled(input logic [6:0] one, input logic [ScaleEW-1:0] below);
     scaled = one == '0 ? '0 : ((one - 7'd1) >> below) + 7'd1;
   endfunction
+  for (genvar k = 0; k < 3; k += 1) begin : gen_scale
+    assign scales.of[k] = scaled(ones2_q.of[k], below2_q.of[k]);
+  end
+  assign scales7 = scales_q[7];
   always_ff @(posedge clk_i) begin
     if (load[3]) begin
       gap3_q      <= gap2_q;
-      t3_q        <= raised_side[MagW -: ZW + 1];
-      z3_q        <= raised_z[MagW-1 -: ZW];
+      t3_q        <= raised_side[MagW:MagW-ZW];
+      z3_q        <= raised_z[MagW-1:MagW-ZW];
       exponent3_q <= exponent2_q;
-      for (int unsigned k = 0; k < 3; k += 1)
-        scales_q[3][7*k +: 7] <= scaled(ones2_q[7*k +: 7], below2_q[ScaleEW*k +: ScaleEW]);
+      scales_q[3] <= scales;
     end
     for (int unsigned i = 3; i < 7; i += 1) if (load[i+1]) scales_q[i+1] <= scales_q[i];
   end
@@ -241,12 +248,15 @@ module pu_reach (
   logic        [5:0]       down_q [11];     // 4 to 10: how far 2^31 far^2 goes down, 31 - shift
   logic signed [9:0]       down4, twice3;
   logic        [4:0]       spread_e;
-  assign across[0]  = {along_x_q[3] ? rotation_i.w00[RotW-1 -: AxisW-1] : rotation_i.w10[RotW-1 -: AxisW-1], 1'b1};
-  assign across[1]  = {along_x_q[3] ? rotation_i.w01[RotW-1 -: AxisW-1] : rotation_i.w11[RotW-1 -: AxisW-1], 1'b1};
-  assign across[2]  = {along_x_q[3] ? rotation_i.w02[RotW-1 -: AxisW-1] : rotation_i.w12[RotW-1 -: AxisW-1], 1'b1};
-  assign forward[0] = {rotation_i.w20[RotW-1 -: AxisW-1], 1'b1};
-  assign forward[1] = {rotation_i.w21[RotW-1 -: AxisW-1], 1'b1};
-  assign forward[2] = {rotation_i.w22[RotW-1 -: AxisW-1], 1'b1};
+  function automatic logic signed [AxisW-1:0] middle_w(input logic [RotW-1:0] w);
+    middle_w = {(AxisW - 1)'(w >> (RotW + 1 - AxisW)), 1'b1};
+  endfunction
+  assign across[0]  = middle_w(along_x_q[3] ? rotation_i.w00 : rotation_i.w10);
+  assign across[1]  = middle_w(along_x_q[3] ? rotation_i.w01 : rotation_i.w11);
+  assign across[2]  = middle_w(along_x_q[3] ? rotation_i.w02 : rotation_i.w12);
+  assign forward[0] = middle_w(rotation_i.w20);
+  assign forward[1] = middle_w(rotation_i.w21);
+  assign forward[2] = middle_w(rotation_i.w22);
   assign spread_e   = along_x_q[3] ? lens_i.spread_x[12:8] : lens_i.spread_y[12:8];
   // Bits of the gap above its leading nine are GapW - 10 less its shift; 8 is the bias of the scales.
   assign twice3 = 10'(exponent3_q) <<< 1;
@@ -297,7 +307,7 @@ module pu_reach (
   assign r4[7] = (SumW'(yz4_q) - SumW'(wx4_q)) <<< 1;
   assign r4[8] = SumW'(ww4_q) - SumW'(xx4_q) - SumW'(yy4_q) + SumW'(zz4_q);
   always_ff @(posedge clk_i) if (load[5]) begin
-    for (int unsigned i = 0; i < 3; i += 1) n5_q[i] <= n4[i][F +: NW];
+    for (int unsigned i = 0; i < 3; i += 1) n5_q[i] <= NW'(n4[i] >>> F);
     for (int unsigned i = 0; i < 9; i += 1) r5_q[i] <= {r4[i][F+1 +: EntryW-1], 1'b1};
   end
 
@@ -311,7 +321,7 @@ module pu_reach (
   for (genvar k = 0; k < 3; k += 1) begin : gen_p
     assign p6[k] = (PpW + 1)'(p6_q[3*k]) + (PpW + 1)'(p6_q[3*k+1]) + (PpW + 1)'(p6_q[3*k+2]) +
                    $signed((PpW + 1)'(1 << (F - 1)));
-    assign near6[k] = p6[k][F +: NW];
+    assign near6[k] = NW'(p6[k] >>> F);
   end
   always_ff @(posedge clk_i) begin
     for (int unsigned k = 0; k < 3; k += 1) begin
@@ -336,7 +346,7 @@ module pu_reach (
   logic [23:0]          far10_q;
   logic [NW+5:0]        q7 [3];
   for (genvar k = 0; k < 3; k += 1) begin : gen_q
-    assign q7[k] = (NW + 6)'(p7_q[k]) * (NW + 6)'(scales_q[7][7*k +: 7]) + (NW + 6)'(63);
+    assign q7[k] = (NW + 6)'(p7_q[k]) * (NW + 6)'(scales7.of[k]) + (NW + 6)'(63);
   end
   assign sum9      = (2 * NW)'(q9_q[0]) + (2 * NW)'(q9_q[1]) + (2 * NW)'(q9_q[2]) + (2 * NW)'(127);
   assign weighted9 = (WeightW + SpreadMW)'(weight9_q) * (WeightW + SpreadMW)'(spread9_q) +
@@ -351,8 +361,8 @@ module pu_reach (
       spread9_q <= {1'b1, along_x_q[8] ? lens_i.spread_x[7:0] : lens_i.spread_y[7:0]};
     end
     if (load[10]) begin
-      sum10_q  <= sum9[7 +: ReachSumW];
-      span10_q <= weighted9[8 +: SpanW];
+      sum10_q  <= sum9[2*NW-1:7];
+      span10_q <= weighted9[WeightW+SpreadMW-1:8];
       far10_q  <= 24'(far_q[9]) * 24'(far_q[9]);
     end
   end
