@@ -65,7 +65,7 @@ class ExternalMemory {
 
   void allow_overwrites() { overwrites_ = true; }  // of lines that are being read: they are, behind the read
 
-  // Contents, for host access; untouched lines hold zero.
+  // Contents, for host access; what nobody has written is noise.
   const MemoryLine& line(uint64_t address) const { return bus_ ? bus_->line(address) : pages_.line(address); }
   MemoryLine& line(uint64_t address) { return bus_ ? bus_->line(address) : pages_.line(address); }
   const std::array<Traffic, 256>& traffic() const { return traffic_; }

@@ -2,23 +2,24 @@
 // memory_pages.cpp: see memory_pages.hpp.
 #include "sim/memory/memory_pages.hpp"
 
+#include <random>
+
 namespace pipegs {
 
-MemoryLine& MemoryPages::line(uint64_t address) {
-  const uint64_t page = address / kPageLines;
-  if (page != cached_page_) {
-    auto& slot = pages_[page];
-    if (!slot) slot = std::make_unique<Page>();
-    cached_page_ = page;
+MemoryPages::Page& MemoryPages::page(uint64_t number) const {
+  if (number != cached_page_) {
+    auto& slot = pages_[number];
+    if (!slot) {
+      slot = std::make_unique<Page>();
+      std::mt19937_64 noise(number);
+      for (MemoryLine& line : *slot) {
+        for (uint32_t& word : line) word = static_cast<uint32_t>(noise() >> 32);
+      }
+    }
+    cached_page_ = number;
     cached_ = slot.get();
   }
-  return (*cached_)[address % kPageLines];
-}
-
-const MemoryLine& MemoryPages::line(uint64_t address) const {
-  static const MemoryLine kZero{};
-  const auto slot = pages_.find(address / kPageLines);
-  return slot == pages_.end() ? kZero : (*slot->second)[address % kPageLines];
+  return *cached_;
 }
 
 }  // namespace pipegs

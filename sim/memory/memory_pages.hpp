@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // memory_pages.hpp: the contents of a large memory, of which only the pages that are touched exist.
 //
-// Units   Addresses are numbers of lines of 64 bytes. Lines that were never touched hold zero.
+// Idea    What nobody has written is noise, the same in every run: who uses it shows, where zeros might pass for data.
+// Units   Addresses are numbers of lines of 64 bytes.
 #pragma once
 
 #include <array>
@@ -15,16 +16,18 @@ namespace pipegs {
 
 class MemoryPages {
  public:
-  const MemoryLine& line(uint64_t address) const;
-  MemoryLine& line(uint64_t address);
+  const MemoryLine& line(uint64_t address) const { return page(address / kPageLines)[address % kPageLines]; }
+  MemoryLine& line(uint64_t address) { return page(address / kPageLines)[address % kPageLines]; }
 
  private:
   static constexpr uint64_t kPageLines = 4096;
   using Page = std::array<MemoryLine, kPageLines>;
 
-  std::unordered_map<uint64_t, std::unique_ptr<Page>> pages_;
-  uint64_t cached_page_ = ~uint64_t{0};
-  Page* cached_ = nullptr;
+  Page& page(uint64_t number) const;
+
+  mutable std::unordered_map<uint64_t, std::unique_ptr<Page>> pages_;
+  mutable uint64_t cached_page_ = ~uint64_t{0};
+  mutable Page* cached_ = nullptr;
 };
 
 }  // namespace pipegs

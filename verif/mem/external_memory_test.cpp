@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // external_memory_test: what the memory of the harness refuses: lines that it does not have, and a write of a line of
-// which a read is not answered.
+// which a read is not answered. What it holds where nobody has written is noise.
 #include <gtest/gtest.h>
+
+#include <set>
 
 #include "sim/memory/external_memory.hpp"
 
@@ -42,6 +44,21 @@ TEST(ExternalMemory, RefusesAWriteOfALineThatIsBeingRead) {
     answers += memory.answer() != nullptr;
   }
   EXPECT_EQ(answers, 2);
+}
+
+TEST(ExternalMemory, HoldsNoiseWhereNobodyHasWritten) {
+  for (const int bus : {0, 128}) {
+    const ExternalMemory seen({}, bus);
+    ExternalMemory written({}, bus);
+    written.line(7000) = {1};
+    std::set<uint32_t> words;
+    for (const uint64_t line : {0, 6999, 7001, 1 << 30}) {
+      EXPECT_EQ(seen.line(line), written.line(line)) << line;  // in every run the same
+      words.insert(seen.line(line).begin(), seen.line(line).end());
+    }
+    EXPECT_GT(words.size(), 60u);
+    EXPECT_EQ(written.line(7000), MemoryLine{1});
+  }
 }
 
 }  // namespace

@@ -91,7 +91,8 @@ TEST(Su, WritesOverflowToItsOwnAreas) {
   EXPECT_EQ(bench.fetched, traffic.read) << "nothing for ends";
   const auto base = [](Area area) { return kOverflow + area_first(kConfig, kOverflowLines, 2, area); };
   const uint64_t records = base(Area::kRecords), keys = base(Area::kKeys), sorted = base(Area::kRuns);
-  const auto touched = [&](uint64_t address) { return bench.memory.line(address) != MemoryLine{}; };
+  const ExternalMemory before;
+  const auto touched = [&](uint64_t at) { return bench.memory.line(at) != before.line(at); };
   const uint64_t runs = su_run_lines(kConfig, pool / 8 * 8) + su_run_lines(kConfig, count - pool / 8 * 8);
   EXPECT_TRUE(touched(records) && touched(records + count - 1) && touched(keys) && touched(keys + (count - 1) / 8) &&
               touched(sorted) && touched(sorted + runs - 1));
