@@ -31,6 +31,10 @@ module dopu_memory #(
 
   localparam int unsigned Asked = pipegs_pkg::NodeLines / 2;  // requests of chunks and groups to be answered
 
+  typedef struct packed {logic [2:0][AddressW-1:0] of;} addresses_t;
+  typedef struct packed {logic [2:0][BurstW-1:0] of;} lines_t;
+  addresses_t address;
+  lines_t     wanted;
   logic [2:0] grant;
   logic [1:0] granted;
   logic [BurstW-1:0] lines, come_q;  // of the oldest request: its lines, less one, and how many have come
@@ -45,10 +49,9 @@ module dopu_memory #(
     .port_o(granted)
   );
   assign mem_valid_o   = grant != '0 && asked_ready;
-  assign mem_address_o = granted == 2'd2 ? address_i[2*AddressW +: AddressW]
-                       : granted == 2'd1 ? address_i[AddressW +: AddressW] : address_i[0 +: AddressW];
-  assign mem_lines_o   = granted == 2'd2 ? lines_i[2*BurstW +: BurstW]
-                       : granted == 2'd1 ? lines_i[BurstW +: BurstW] : lines_i[0 +: BurstW];
+  assign {address, wanted} = {address_i, lines_i};
+  assign mem_address_o = granted == 2'd2 ? address.of[2] : granted == 2'd1 ? address.of[1] : address.of[0];
+  assign mem_lines_o   = granted == 2'd2 ? wanted.of[2] : granted == 2'd1 ? wanted.of[1] : wanted.of[0];
   assign ready_o       = grant & {3{mem_ready_i && asked_ready}};
 
   assign answer        = rsp_valid_i && !loading_i;

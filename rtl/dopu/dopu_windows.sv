@@ -130,16 +130,18 @@ module dopu_windows (
   assign planes_o    = {planes_q[1], planes_q[0]};
 
   // --- done feedback ------------------------------------------------------------------------------------------------
+  pipegs_pkg::progress_t progress;
   logic [Units-1:0]   here [2];  // the RU is in the set's window
   logic [Regions-1:0] region_done [2];
+  assign progress = {done_y_i, done_x_i, done_i};
 
   always_comb begin
     for (int unsigned s = 0; s < 2; s += 1) begin
       for (int unsigned u = 0; u < Units; u += 1) begin
-        here[s][u] = done_x_i[u*WindowW +: WindowW] == set_x_q[s] && done_y_i[u*WindowW +: WindowW] == set_y_q[s];
+        here[s][u] = progress.x[u] == set_x_q[s] && progress.y[u] == set_y_q[s];
       end
       region_done[s] = '0;
-      for (int unsigned u = 0; u < Units; u += 1) if (here[s][u]) region_done[s] |= done_i[u*Regions +: Regions];
+      for (int unsigned u = 0; u < Units; u += 1) if (here[s][u]) region_done[s] |= progress.done[u];
     end
   end
 

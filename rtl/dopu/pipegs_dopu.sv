@@ -104,8 +104,10 @@ module pipegs_dopu (
 
   // --- cells --------------------------------------------------------------------------------------------------------
   logic [2:0]            request, ready, answer;  // of memory: chunks, groups, cells
-  logic [3*AddressW-1:0] address;
-  logic [3*BurstW-1:0]   lines;
+  typedef struct packed {logic [AddressW-1:0] cells, groups, chunks;} addresses_t;
+  typedef struct packed {logic [BurstW-1:0] cells, groups, chunks;} lines_t;
+  addresses_t            address;
+  lines_t                lines;
   logic                  loading, walking, cell_valid, cell_ready, cell_set, cells_bad;
   logic [1:0]            nodes_bad;     // a cell, a group
   logic [2*AddressW-1:0] nodes_line;
@@ -121,8 +123,8 @@ module pipegs_dopu (
     .loading_o(loading),
     .mem_valid_o(request[2]),
     .mem_ready_i(ready[2]),
-    .mem_address_o(address[2*AddressW +: AddressW]),
-    .mem_lines_o(lines[2*BurstW +: BurstW]),
+    .mem_address_o(address.cells),
+    .mem_lines_o(lines.cells),
     .rsp_valid_i(answer[2]),
     .rsp_data_i,
     .layer_ready_i(layer_ready),
@@ -165,8 +167,8 @@ module pipegs_dopu (
     .cell_i(cell_node),
     .mem_valid_o(request[1:0]),
     .mem_ready_i(ready[1:0]),
-    .mem_address_o(address[0 +: 2*AddressW]),
-    .mem_lines_o(lines[0 +: 2*BurstW]),
+    .mem_address_o({address.groups, address.chunks}),
+    .mem_lines_o({lines.groups, lines.chunks}),
     .rsp_valid_i(answer[1:0]),
     .rsp_data_i,
     .chunk_valid_o(node_valid),
@@ -216,8 +218,8 @@ module pipegs_dopu (
     .node_valid_i(node_valid),
     .node_ready_o(node_ready),
     .kind_i(node_kind),
-    .window_x_i(node_set ? set_x[WindowW +: WindowW] : set_x[0 +: WindowW]),
-    .window_y_i(node_set ? set_y[WindowW +: WindowW] : set_y[0 +: WindowW]),
+    .window_x_i(node_set ? set_x[2*WindowW-1:WindowW] : set_x[WindowW-1:0]),
+    .window_y_i(node_set ? set_y[2*WindowW-1:WindowW] : set_y[WindowW-1:0]),
     .node_i(node),
     .mark_i(node_mark),
     .chunk_valid_o(chunk_valid),

@@ -54,6 +54,13 @@ module pipegs_list_write #(
   localparam int unsigned WindowW = pipegs_pkg::WindowW;
   localparam int unsigned LeftW   = NumberW + 1;
 
+  typedef struct packed {logic [Units-1:0][SplatBits-1:0] of;} splats_t;
+  typedef struct packed {logic [Units-1:0][NumberW-1:0] of;} numbers_t;
+  splats_t  splats;
+  numbers_t numbers;
+  assign splats  = splat_i;
+  assign numbers = number_i;
+
   // --- clearing the counts ------------------------------------------------------------------------------------------
   logic [LeftW-1:0]   left_q, windows;  // counts still to clear: those below left_q
   logic [WindowW-1:0] most_x, most_y;
@@ -89,7 +96,7 @@ module pipegs_list_write #(
 
   always_comb begin
     for (int unsigned i = 0; i < Units; i += 1) begin
-      is_end[i] = splat_valid_i[i] && splat_i[i*SplatBits +: pipegs_pkg::KindW] != pipegs_pkg::KindData;
+      is_end[i] = splat_valid_i[i] && splats.of[i][pipegs_pkg::KindW-1:0] != pipegs_pkg::KindData;
     end
   end
   assign data = splat_valid_i & ~is_end;
@@ -106,7 +113,7 @@ module pipegs_list_write #(
   assign move          = held_valid_q && (!out_valid_q || mem_ready_i) && !full_q;
   assign take          = data != '0 && !clearing && roomy && (!held_valid_q || move);
   assign splat_ready_o = (take ? source : '0) | is_end;
-  assign number        = number_i[port*NumberW +: NumberW];
+  assign number        = numbers.of[port];
 
   assign entry          = same_q ? kept_q : count_i;
   assign full           = none || entry == '1 || entry >> log_o != '0;
@@ -145,7 +152,7 @@ module pipegs_list_write #(
   end
   always_ff @(posedge clk_i) begin
     if (take) begin
-      held_q        <= splat_i[port*SplatBits +: SplatBits];
+      held_q        <= splats.of[port];
       held_number_q <= number;
       same_q        <= move && number == held_number_q;  // the SRAM promises nothing then
     end

@@ -40,11 +40,15 @@ module pu_deal #(
   logic [UnitW-1:0]     target_port, last_q;  // last_q: the PU that was dealt to last
   logic                 free, take_data, take_end;
   logic [Units-1:0]     waiting_q;  // PUs that have still to take the record
+  typedef struct packed {logic [Fronts-1:0][Bits-1:0] of;} visibles_t;
+  visibles_t            heads;
   pipegs_pkg::visible_t out_q;
+
+  assign heads = in_i;
 
   always_comb begin
     for (int unsigned i = 0; i < Fronts; i += 1) begin
-      is_end[i] = in_valid_i[i] && in_i[i*Bits +: pipegs_pkg::KindW] != pipegs_pkg::KindData;
+      is_end[i] = in_valid_i[i] && heads.of[i][pipegs_pkg::KindW-1:0] != pipegs_pkg::KindData;
     end
   end
   assign data = in_valid_i & ~is_end;
@@ -87,7 +91,7 @@ module pu_deal #(
   end
 
   always_ff @(posedge clk_i) begin
-    if (take_data || take_end) out_q <= in_i[source_port*Bits +: Bits];
+    if (take_data || take_end) out_q <= heads.of[source_port];
   end
 
   assign out_valid_o = waiting_q;

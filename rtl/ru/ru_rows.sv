@@ -51,7 +51,8 @@ module ru_rows #(
   logic [LineW-1:0]      made_line;
   pipegs_pkg::alphas_t   made, alphas;
   logic [$clog2(LinesDepth+1)-1:0] lines_count;
-  logic [3*ColorW-1:0]   tag_color;
+  typedef struct packed {logic [ColorW-1:0] blue, green, red;} color_t;
+  color_t                tag_color;
   logic [$clog2(TagDepth+1)-1:0] tag_count;
 
   ru_own u_own (
@@ -142,9 +143,9 @@ module ru_rows #(
     out_o.kind   = alphas.kind;
     out_o.region = alphas.region;
     out_o.ext    = 1'b0;
-    out_o.red    = tag_color[0 +: ColorW];
-    out_o.green  = tag_color[ColorW +: ColorW];
-    out_o.blue   = tag_color[2*ColorW +: ColorW];
+    out_o.red    = tag_color.red;
+    out_o.green  = tag_color.green;
+    out_o.blue   = tag_color.blue;
     out_o.index  = alphas.index;
   end
 

@@ -43,7 +43,9 @@ module pu_done #(
     .row_ends_o()
   );
 
-  logic [Regions-1:0] done_unit [Units];
+  pipegs_pkg::progress_t progress;
+  logic [Regions-1:0]    done_unit [Units];
+  assign progress = {done_y_i, done_x_i, done_i};
   for (genvar j = 0; j < Units; j += 1) begin : gen_done
     logic [pipegs_pkg::MaskW-1:0] own;  // of each part
     logic                         here;
@@ -51,8 +53,8 @@ module pu_done #(
       .unit_i(pipegs_pkg::UnitW'(j)),
       .own_o(own)
     );
-    assign here = done_x_i[j*WindowW +: WindowW] == window_x && done_y_i[j*WindowW +: WindowW] == window_y;
-    assign done_unit[j] = here ? done_i[j*Regions +: Regions] & {pipegs_pkg::Parts{own}} : '0;
+    assign here = progress.x[j] == window_x && progress.y[j] == window_y;
+    assign done_unit[j] = here ? progress.done[j] & {pipegs_pkg::Parts{own}} : '0;
   end
   always_comb begin
     done_o = '0;

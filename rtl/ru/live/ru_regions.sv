@@ -67,7 +67,12 @@ module ru_regions #(
   logic                splat_valid_q, data, last, pick, leave;
   pipegs_pkg::sorted_t splat_q;
   logic [MaskW-1:0]    left_q, open, free, lowest;  // regions of the splat that were not picked yet
+  typedef struct packed {logic [pipegs_pkg::Parts-1:0][MaskW-1:0] of;} masks_t;  // of each part
+  masks_t              open_in, held_in, wants;
   logic [MaskW-1:0]    part_open, part_held;
+  assign open_in = open_i;
+  assign held_in = held_i;
+  assign wants_o = wants;
   logic [IndexW-1:0]   index;
   logic [RegionW-1:0]  region;
 
@@ -78,16 +83,16 @@ module ru_regions #(
   );
   if (pipegs_pkg::Parts > 1) begin : gen_part
     assign region    = {splat_q.part, index};
-    assign part_open = open_i[splat_q.part*MaskW +: MaskW];
-    assign part_held = held_i[splat_q.part*MaskW +: MaskW];
+    assign part_open = open_in.of[splat_q.part];
+    assign part_held = held_in.of[splat_q.part];
     for (genvar p = 0; p < pipegs_pkg::Parts; p += 1) begin : gen_wants
-      assign wants_o[p*MaskW +: MaskW] = splat_valid_q && data && splat_q.part == p ? left_q : '0;
+      assign wants.of[p] = splat_valid_q && data && splat_q.part == p ? left_q : '0;
     end
   end else begin : gen_whole
     assign region    = index;
-    assign part_open = open_i;
-    assign part_held = held_i;
-    assign wants_o   = splat_valid_q && data ? left_q : '0;
+    assign part_open = open_in;
+    assign part_held = held_in;
+    assign wants     = splat_valid_q && data ? left_q : '0;
   end
   assign data        = splat_q.kind == pipegs_pkg::KindData;
   assign open        = left_q & part_open;

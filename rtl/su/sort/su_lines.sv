@@ -36,7 +36,8 @@ module su_lines (
 
   logic [SlotW-1:0]          left_q, number_q;  // keys of the run that are still to come; the line's number
   logic [PlaceW-1:0]         place_q;
-  logic [RunKeys*EntryW-1:0] line_q;
+  typedef struct packed {logic [RunKeys-1:0][EntryW-1:0] of;} entries_t;
+  entries_t line_q;
   logic                      full_q, take;
 
   assign key_ready_o   = !full_q;
@@ -69,7 +70,7 @@ module su_lines (
   always_ff @(posedge clk_i) begin
     if (restart_i) number_q <= '0;
     else if (line_ready_i) number_q <= number_q + 1'b1;
-    if (take) line_q[place_q*EntryW +: EntryW] <= {number_i, key_i};
+    if (take) line_q.of[place_q] <= {number_i, key_i};
   end
 
 `ifndef SYNTHESIS
