@@ -85,6 +85,12 @@ module pipegs_memory_arbiter #(
   end
   always_ff @(posedge clk_i) if (request != '0 && moves) port_q <= port;
 
+  typedef struct packed {logic [Ports-1:0][pipegs_pkg::AddressW-1:0] of;} addresses_t;
+  typedef struct packed {logic [WritePorts-1:0][pipegs_pkg::MemoryW-1:0] of;} lines_data_t;
+  addresses_t  address;
+  lines_data_t lines_data;
+  assign address    = address_i;
+  assign lines_data = data_i;
   always_comb begin
     out        = '0;
     out.tag    = pipegs_pkg::TagW'(port_q);
@@ -92,12 +98,12 @@ module pipegs_memory_arbiter #(
     data       = '0;
     for (int unsigned i = 0; i < Ports; i += 1) begin
       out.lines   |= lines_i[i*BurstW +: BurstW] & {BurstW{grant_q[i]}};
-      out.address |= address_i[i*pipegs_pkg::AddressW +: pipegs_pkg::AddressW] & {pipegs_pkg::AddressW{grant_q[i]}};
+      out.address |= address.of[i] & {pipegs_pkg::AddressW{grant_q[i]}};
     end
     for (int unsigned i = 0; i < WritePorts; i += 1) begin
       out.write  |= write_i[i] && grant_q[i];
       out.halves &= halves_i[i*pipegs_pkg::HalvesW +: pipegs_pkg::HalvesW] | {pipegs_pkg::HalvesW{!grant_q[i]}};
-      data       |= data_i[i*pipegs_pkg::MemoryW +: pipegs_pkg::MemoryW] & {pipegs_pkg::MemoryW{grant_q[i]}};
+      data       |= lines_data.of[i] & {pipegs_pkg::MemoryW{grant_q[i]}};
     end
   end
 

@@ -170,7 +170,7 @@ module dopu_cells #(
     .waddr_i(write_line_q),
     .wdata_i({rsp_data_i[pipegs_pkg::MemoryW/2 +: NodeBits], rsp_data_i[NodeBits-1:0]}),
     .read_i(read),
-    .raddr_i(cell_i[CellW-1 -: TableW]),
+    .raddr_i(cell_i[CellW-1:CellW-TableW]),
     .rdata_o(line)
   );
 

@@ -195,10 +195,10 @@ module pipegs_line_reader #(
   generate
     if (ItemsPerLine == 2) begin : gen_two
       assign line_end   = out_index_o[0];
-      assign out_item_o = out_index_o[0] ? line[pipegs_pkg::MemoryW/2 +: ItemW] : line[0 +: ItemW];
+      assign out_item_o = out_index_o[0] ? line[pipegs_pkg::MemoryW/2 +: ItemW] : line[ItemW-1:0];
     end else begin : gen_one
       assign line_end   = 1'b1;
-      assign out_item_o = line[0 +: ItemW];
+      assign out_item_o = line[ItemW-1:0];
     end
   endgenerate
   logic unused_line;  // the bits of a line that hold no item

@@ -79,6 +79,6 @@ module ru_blend (
   assign t_o    = t_2_q;
   assign done_o = done_2_q;
   assign rgb_o  = {added(rgb_i[2*RgbW +: RgbW], blue_2_q), added(rgb_i[RgbW +: RgbW], green_2_q),
-                   added(rgb_i[0 +: RgbW], red_2_q)};
+                   added(rgb_i[RgbW-1:0], red_2_q)};
 
 endmodule

@@ -33,7 +33,7 @@ module pipegs_log2 #(
 
   always_comb begin
     line = '0;
-    unique case (m_i[InW-2 -: IndexW])
+    unique case (m_i[InW-2:InW-1-IndexW])
        0: line = 31'h5ba00006;  1: line = 31'h5a3816ed;  2: line = 31'h58dc2d7b;  3: line = 31'h578c43b2;
        4: line = 31'h56445995;  5: line = 31'h55086f26;  6: line = 31'h53d48468;  7: line = 31'h52a8995c;
        8: line = 31'h5184ae05;  9: line = 31'h5068c266; 10: line = 31'h4f54d67f; 11: line = 31'h4e44ea54;

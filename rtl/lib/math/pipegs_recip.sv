@@ -136,7 +136,7 @@ module pipegs_recip #(
 
   always_ff @(posedge clk_i) begin
     if (load[0]) begin
-      {value_q, slope_q} <= line(v[WorkW-2-:IndexW]);
+      {value_q, slope_q} <= line(v[WorkW-2:WorkW-1-IndexW]);
       v1_q <= v;
     end
     if (load[1]) begin

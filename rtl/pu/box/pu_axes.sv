@@ -167,7 +167,7 @@ module pu_axes (
     else if (sum_q[SumW-3]) sum_up = 2'd2;
   end
   assign sum_normal = sum_q << sum_up;
-  assign sum_m      = sum_normal[SumW-1 -: AxisMW];
+  assign sum_m      = sum_normal[SumW-1:SumW-AxisMW];
   assign recip_in   = late[1] ? g_normal : sum_m;
   pipegs_recip #(.DataW(AxisMW)) u_recip (
     .clk_i,

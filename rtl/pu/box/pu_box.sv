@@ -92,8 +92,8 @@ module pu_box (
   assign e       = phase[1] ? ExpW'(in_q.long_e) - $signed(ExpW'(ShareF - 1)) : ratio_e_q - $signed(ExpW'(ShareF - 1));
   assign odd     = e[0];
   assign high   = square[TopW-1];
-  assign u       = odd ? (high ? {1'b0, square[TopW-1 -: RsqrtInW-1]} : square[TopW-2 -: RsqrtInW]) :
-                   square[TopW-1 -: RsqrtInW];
+  assign u       = odd ? (high ? {1'b0, square[TopW-1 -: RsqrtInW-1]} : square[TopW-2:TopW-1-RsqrtInW]) :
+                   square[TopW-1:TopW-RsqrtInW];
   assign whole_e = e + $signed(ExpW'(TopW - RsqrtInW + 18)) +
                    (odd ? (high ? $signed(ExpW'(1)) : -$signed(ExpW'(1))) : $signed(ExpW'(0)));
 
@@ -109,12 +109,12 @@ module pu_box (
   logic                   top;
   logic signed [ExpW-1:0] ratio_e;
   if (MantissaW > AxisMW) begin : gen_cut
-    assign det = in_q.det_m[MantissaW-1 -: AxisMW];
+    assign det = in_q.det_m[MantissaW-1:MantissaW-AxisMW];
   end else begin : gen_fill
     assign det = AxisMW'(in_q.det_m) << (AxisMW - MantissaW);
   end
   assign top     = product_q[ProductW-1];
-  assign ratio_m = top ? product_q[ProductW-1 -: AxisMW] : product_q[ProductW-2 -: AxisMW];
+  assign ratio_m = top ? product_q[ProductW-1:ProductW-AxisMW] : product_q[ProductW-2:ProductW-1-AxisMW];
   assign ratio_e = ExpW'(in_q.det_e) - ExpW'(in_q.long_e) + $signed(ExpW'(MantissaW) - ExpW'(2 * AxisMW)) +
                    $signed({{(ExpW - 1){1'b0}}, top});
   always_comb begin

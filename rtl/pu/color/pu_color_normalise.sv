@@ -101,7 +101,7 @@ module pu_color_normalise (
 
   always_ff @(posedge clk_i) begin
     if (take) begin
-      u_q    <= normal[LengthW-1 -: InW];
+      u_q    <= normal[LengthW-1:LengthW-InW];
       half_q <= half;
       x_q    <= world_i.x;
       y_q    <= world_i.y;

@@ -32,7 +32,7 @@ module pu_root #(
     rest     = rest_q;
     trial    = '0;
     for (int unsigned i = 0; i < Digits; i += 1) begin
-      rest     = {rest[RestW-3:0], radicand[RadicandW-1-:2]};
+      rest     = {rest[RestW-3:0], radicand[RadicandW-1:RadicandW-2]};
       radicand = {radicand[RadicandW-3:0], 2'b00};
       trial    = {root[RestW-3:0], 2'b01};
       root     = {root[RootW-2:0], rest >= trial};

@@ -69,7 +69,7 @@ module pu_compensate (
   logic [FallW-1:0]         fall, halves;
   logic [SumW-1:0]          sum;
 
-  pipegs_log2 u_det   (.clk_i, .enable_i(in_valid_q), .m_i(in_q.det_m[MantissaW-1 -: SharpW]), .log2_o(log_det));
+  pipegs_log2 u_det   (.clk_i, .enable_i(in_valid_q), .m_i(in_q.det_m[MantissaW-1:MantissaW-SharpW]), .log2_o(log_det));
   pipegs_log2 u_sharp (
     .clk_i,
     .enable_i(in_valid_q),

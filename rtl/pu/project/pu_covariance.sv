@@ -94,7 +94,7 @@ module pu_covariance (
   logic signed [ExponentW-1:0]  rise, factor_e;
   logic signed [SlopeW-1:0]     b_m;
   assign top      = product_q[TopW-1];
-  assign factor_m = top ? product_q[TopW-1-:MantissaW] : product_q[TopW-2-:MantissaW];
+  assign factor_m = top ? product_q[TopW-1:TopW-MantissaW] : product_q[TopW-2:TopW-1-MantissaW];
   assign rise     = ExponentW'(MantissaW - 1) + $signed({{(ExponentW - 1){1'b0}}, top});
   assign top_b    = product_q[TopW] != product_q[TopW-1];
   assign b_m      = top_b ? product_q[CutB+:SlopeW] : product_q[CutB-1+:SlopeW];
@@ -135,7 +135,7 @@ module pu_covariance (
     apart    = swap ? y_e - x_e : x_e - y_e;
     aligned  = little_m == '0 ? '0 : {little_m, {GuardW{1'b0}}} >> $unsigned(apart);
     sum      = {1'b0, big_m_q, {GuardW{1'b0}}} + {1'b0, aligned_q};
-    sum_m    = sum[AlignedW] ? sum[AlignedW-:MantissaW] : sum[AlignedW-1-:MantissaW];
+    sum_m    = sum[AlignedW] ? sum[AlignedW-:MantissaW] : sum[AlignedW-1:AlignedW-MantissaW];
     sum_e    = big_e_q + $signed({{(ExponentW - 1){1'b0}}, sum[AlignedW]});
   end
 
@@ -210,7 +210,7 @@ module pu_covariance (
     );
     always_ff @(posedge clk_i) begin
       if (claim) begin
-        sharp_m_q <= in_q.kind == pipegs_pkg::KindData ? d0_m_q[MantissaW-1 -: SharpW] : '0;
+        sharp_m_q <= in_q.kind == pipegs_pkg::KindData ? d0_m_q[MantissaW-1:MantissaW-SharpW] : '0;
         sharp_e_q <= in_q.kind == pipegs_pkg::KindData ? d0_e : '0;
       end
     end

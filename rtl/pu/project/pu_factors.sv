@@ -181,8 +181,8 @@ module pu_factors (
         e1 = in_q.n_2_e; next_power1 = power0 + power1;
       end
     endcase
-    aligned0 = $signed(product0_q[ProductW-1-:KeptW]) >>> $unsigned(apart0_q);
-    aligned1 = $signed(product1_q[ProductW-1-:KeptW]) >>> $unsigned(apart1_q);
+    aligned0 = $signed(product0_q[ProductW-1:ProductW-KeptW]) >>> $unsigned(apart0_q);
+    aligned1 = $signed(product1_q[ProductW-1:ProductW-KeptW]) >>> $unsigned(apart1_q);
     m0       = FactorW'((aligned0 + KeptW'(1)) >>> 1);
     m1       = FactorW'((aligned1 + KeptW'(1)) >>> 1);
   end
@@ -194,8 +194,8 @@ module pu_factors (
   logic signed [ExponentW-1:0] gxy_e_q;
   assign high0 = product0_q[TopW-1];
   assign high1 = product1_q[TopW-1];
-  assign gain0 = high0 ? product0_q[TopW-1-:MantissaW] : product0_q[TopW-2-:MantissaW];
-  assign gain1 = high1 ? product1_q[TopW-1-:MantissaW] : product1_q[TopW-2-:MantissaW];
+  assign gain0 = high0 ? product0_q[TopW-1:TopW-MantissaW] : product0_q[TopW-2:TopW-1-MantissaW];
+  assign gain1 = high1 ? product1_q[TopW-1:TopW-MantissaW] : product1_q[TopW-2:TopW-1-MantissaW];
 
   function automatic logic signed [ExponentW-1:0] flag(input logic bit_value);
     flag = $signed({{(ExponentW - 1){1'b0}}, bit_value});

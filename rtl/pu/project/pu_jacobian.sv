@@ -125,8 +125,8 @@ module pu_jacobian (
     .out_o(normal1),
     .shift_o(shift1)
   );
-  assign m0 = normal0[SumW-1-:FactorW];
-  assign m1 = normal1[SumW-1-:FactorW];
+  assign m0 = normal0[SumW-1:SumW-FactorW];
+  assign m1 = normal1[SumW-1:SumW-FactorW];
   assign base = last == 3'd7 ? gain_e_q : ExponentW'(Cut) - ExponentW'(RotationW - 2 + TanF);
   assign e0 = base - $signed(ExponentW'(shift0));
   assign e1 = base - $signed(ExponentW'(shift1));

@@ -119,7 +119,7 @@ module pu_project (
   logic [MantissaW-1:0] z_m;
   if (ViewW - 1 > MantissaW) begin : gen_narrow
     logic [MantissaW:0] rounded;
-    assign rounded = {1'b0, normal_q[ViewW-2-:MantissaW]} + (MantissaW + 1)'(normal_q[ViewW-2-MantissaW]);
+    assign rounded = {1'b0, normal_q[ViewW-2:ViewW-1-MantissaW]} + (MantissaW + 1)'(normal_q[ViewW-2-MantissaW]);
     assign z_m     = rounded[MantissaW] ? '1 : rounded[MantissaW-1:0];
   end else begin : gen_wide
     assign z_m = {normal_q[ViewW-2:0], {(MantissaW - ViewW + 1){1'b0}}};
@@ -212,7 +212,7 @@ module pu_project (
   // --- direction: cycles 5 to 7, the shift that leaves the largest component normalised ----------------------------
   logic signed [ViewW-1:0] component;
   logic signed [DirectionW-1:0] direction, dir_x_q, dir_y_q;
-  assign direction = component[ViewW-1-:DirectionW];
+  assign direction = component[ViewW-1:ViewW-DirectionW];
   assign component = (phase[5] ? in_q.view_x : phase[6] ? in_q.view_y : in_q.view_z) <<< shift_q;
 
   always_ff @(posedge clk_i) begin

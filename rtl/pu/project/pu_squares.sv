@@ -102,7 +102,7 @@ module pu_squares (
         sum1_q <= sum == 3'd0 || sum == 3'd3 ? wide1 : sum1_q + wide1;
       end
       if (sum == 3'd3 || sum == 3'd6) spare_q <= sum1_q;
-      m_q    <= normal[SumW-1-:FactorW];
+      m_q    <= normal[SumW-1:SumW-FactorW];
       less_q <= $signed(ExponentW'(shift));
     end
     if (claim) begin

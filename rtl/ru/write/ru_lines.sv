@@ -31,11 +31,11 @@ module ru_lines #(
   logic [MemoryW-1:0]  line; // by windows
 
   assign step = raster_i ? AddressW'(stride_i) : AddressW'(1);
-  assign row  = second_i ? lines_i[HalfW +: HalfW] : lines_i[0 +: HalfW];
+  assign row  = second_i ? lines_i[HalfW +: HalfW] : lines_i[HalfW-1:0];
   if (PixelW == 32) begin : gen_packed
     assign line = lines_i;
   end else begin : gen_wide
-    assign line = second_i ? lines_i[MemoryW +: MemoryW] : lines_i[0 +: MemoryW];
+    assign line = second_i ? lines_i[MemoryW +: MemoryW] : lines_i[MemoryW-1:0];
   end
   assign address_o = second_i ? first_i + step : first_i;
   assign halves_o  = raster_i ? {half_i, !half_i} : '1;
