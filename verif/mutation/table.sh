@@ -240,7 +240,7 @@ mutant ru_join "a line leaves with one of its rows" 's/in_valid_i && pair_valid_
 mutant ru_join "a half that is not in the picture is written" "s/\{wide_i, 1'b1\}/2'b11/"
 mutant ru_join "the row of the even RU is always the left one" 's/in_halves_i\[0\] \? (\{pair_row_i, row\}).*;/\1;/'
 mutant ru_join "the odd RU's row stays" 's/odd_i \? pair_taken_i : pair_taken_o/pair_taken_o/'
-mutant ru_pixels "raster order: A is 0" "s/(bytes\[32\*i\+24 \+: 8\] = )'1/\1'0/" ru
+mutant ru_pixels "raster order: A is 0" "s/(bytes\.of\[4\*i\+3\] = )'1/\1'0/" ru
 mutant ru_byte "the second third of the codes begins one late" "s/10'd343/10'd344/"
 mutant ru_unorm "a half is rounded down" "s/(WideW'\(1\) << \(Fraction - 1\))/(\1) - 1'b1/" ru_unorm_byte_16
 mutant ru_whole "buffers swap at a layer's end" 's/swap_i\(window_done_o\)/swap_i(layer_done_o)/' ru

@@ -22,12 +22,19 @@ module ru_pixels #(
 
   localparam int unsigned TW     = pipegs_pkg::TW;
   localparam int unsigned RgbW   = pipegs_pkg::RgbW;
-  localparam int unsigned TLow   = Lanes * 3 * RgbW;
   localparam int unsigned FieldW = PixelW / 4;
   localparam int unsigned BytesW = Lanes * 32;
 
+  typedef struct packed {
+    logic [Lanes-1:0]             done;
+    logic [Lanes-1:0][TW-1:0]     t;
+    logic [3*Lanes-1:0][RgbW-1:0] color;  // red, green, blue of the first pixel, of the second, ...
+  } word_t;
+  typedef struct packed {logic [4*Lanes-1:0][7:0] of;} bytes_t;
+  word_t                   word;
   logic [Lanes*PixelW-1:0] tiles;
-  logic [BytesW-1:0]       bytes;
+  bytes_t                  bytes;
+  assign word = word_i;
   assign lines_o[BytesW-1:0] = raster_i ? bytes : tiles[BytesW-1:0];
   if (PixelW > 32) begin : gen_above
     assign lines_o[Lanes*PixelW-1:BytesW] = tiles[Lanes*PixelW-1:BytesW];
@@ -38,33 +45,33 @@ module ru_pixels #(
       logic [29:0] code;
       for (genvar j = 0; j < 3; j += 1) begin : gen_channel
         ru_unorm u_unorm (
-          .color_i(word_i[(3*i+j)*RgbW +: RgbW]),
+          .color_i(word.color[3*i+j]),
           .code_o(code[10*j +: 10])
         );
         ru_byte u_byte (
           .code_i(code[10*j +: 10]),
-          .byte_o(bytes[32*i+8*j +: 8])
+          .byte_o(bytes.of[4*i+j])
         );
       end
       assign tiles[i*PixelW +: PixelW] = {2'b11, code};
     end else begin : gen_wide
       if (TW >= FieldW) begin : gen_cut
-        assign tiles[i*PixelW+3*FieldW +: FieldW] = word_i[TLow+i*TW+TW-FieldW +: FieldW];
+        assign tiles[i*PixelW+3*FieldW +: FieldW] = word.t[i][TW-1:TW-FieldW];
       end else begin : gen_extend
-        assign tiles[i*PixelW+3*FieldW +: FieldW] = {word_i[TLow+i*TW +: TW], (FieldW-TW)'(0)};
+        assign tiles[i*PixelW+3*FieldW +: FieldW] = {word.t[i], (FieldW-TW)'(0)};
       end
       for (genvar j = 0; j < 3; j += 1) begin : gen_channel
-        assign tiles[i*PixelW+j*FieldW +: FieldW] = FieldW'(word_i[(3*i+j)*RgbW +: RgbW]) << (FieldW - RgbW);
+        assign tiles[i*PixelW+j*FieldW +: FieldW] = FieldW'(word.color[3*i+j]) << (FieldW - RgbW);
         ru_unorm #(.CodeW(8)) u_unorm (
-          .color_i(word_i[(3*i+j)*RgbW +: RgbW]),
-          .code_o(bytes[32*i+8*j +: 8])
+          .color_i(word.color[3*i+j]),
+          .code_o(bytes.of[4*i+j])
         );
       end
     end
-    assign bytes[32*i+24 +: 8] = '1;
+    assign bytes.of[4*i+3] = '1;
   end
 
   logic unused_word;
-  assign unused_word = &{1'b0, word_i};
+  assign unused_word = &{1'b0, word};
 
 endmodule
