@@ -72,7 +72,7 @@ module pipegs_scheduler #(
       {front_q, ahead_q, back_q}                         <= '0;
       {front_restart_q, back_restart_q, begin_q, done_q} <= '0;
       settled_q                                          <= '1;
-      idle_q                                             <= 1'b0;
+      idle_q                                             <= 1'b1;  // what the reset leaves is empty
     end else begin
       idle_q          <= idle_i;
       front_restart_q <= front_take_o;

@@ -111,11 +111,7 @@ module unknown_bench;
       watch;
       if (alone <= Alone) take_reset_state;
       if (alone == 0) reset_state_first = reset_state;
-      if (alone <= Alone && reset_state !== reset_state_first) begin
-        for (i = 0; i < 262144; i = i + 1)
-          if (reset_state[i] !== reset_state_first[i]) $display("bit %0d", i);
-        fault("a register leaves its reset value by itself");
-      end
+      if (alone <= Alone && reset_state !== reset_state_first) fault("a register leaves its reset value by itself");
       alone = alone + 1;
       quiet = quiet + 1;
       if (frame_valid && frame_ready === 1'b1) taken = 1'b1;
