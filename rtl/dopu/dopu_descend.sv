@@ -176,6 +176,13 @@ module dopu_descend #(
   assign count[0]     = parent_cell.count;
   assign count[1]     = parent_group.count;
 
+  typedef struct packed {  // of both readers
+    logic [1:0][pipegs_pkg::AddressW-1:0] address, bad;
+    logic [1:0][pipegs_pkg::BurstW-1:0]   lines;
+  } ports_t;
+  ports_t ports;
+  assign {mem_address_o, bad_line_o, mem_lines_o} = ports;
+
   generate
     for (genvar l = 0; l < 2; l += 1) begin : gen_readers
       logic              parent_data, parent_done, job_ready, out_read;
@@ -200,8 +207,8 @@ module dopu_descend #(
         .job_tag_i(kept[l][BeatW-1:NodeBits]),
         .mem_valid_o(mem_valid_o[l]),
         .mem_ready_i(mem_ready_i[l]),
-        .mem_address_o(mem_address_o[l*pipegs_pkg::AddressW +: pipegs_pkg::AddressW]),
-        .mem_lines_o(mem_lines_o[l*pipegs_pkg::BurstW +: pipegs_pkg::BurstW]),
+        .mem_address_o(ports.address[l]),
+        .mem_lines_o(ports.lines[l]),
         .rsp_valid_i(rsp_valid_i[l]),
         .rsp_data_i,
         .out_valid_o(node_valid[l+1]),
@@ -211,7 +218,7 @@ module dopu_descend #(
         .out_tag_o(out_tag),
         .out_item_o(out_node),
         .bad_o(bad_o[l]),
-        .bad_line_o(bad_line_o[l*pipegs_pkg::AddressW +: pipegs_pkg::AddressW]),
+        .bad_line_o(ports.bad[l]),
         .waiting_o(waiting[l]),
         .idle_o(idle[l])
       );

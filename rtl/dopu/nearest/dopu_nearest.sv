@@ -322,6 +322,13 @@ module dopu_nearest #(
   assign pop_valid   = send_pop || pop_open != '0;
   assign pop_list    = send_pop ? {2'd2, send_set} : pop_open[1] ? {2'd1, set_q[2]} : {2'd0, set_q[1]};
 
+  typedef struct packed {  // of both readers
+    logic [1:0][pipegs_pkg::AddressW-1:0] address, bad;
+    logic [1:0][pipegs_pkg::BurstW-1:0]   lines;
+  } ports_t;
+  ports_t ports;
+  assign {mem_address_o, bad_line_o, mem_lines_o} = ports;
+
   generate
     for (genvar l = 0; l < 2; l += 1) begin : gen_open
       assign open_valid[l]  = (out_valid && out_level == 2'(l) && !out_done) || direct[l];
@@ -339,8 +346,8 @@ module dopu_nearest #(
         .open_count_i(open_range[l][SlotW +: CountW]),
         .mem_valid_o(mem_valid_o[l]),
         .mem_ready_i(mem_ready_i[l]),
-        .mem_address_o(mem_address_o[l*pipegs_pkg::AddressW +: pipegs_pkg::AddressW]),
-        .mem_lines_o(mem_lines_o[l*pipegs_pkg::BurstW +: pipegs_pkg::BurstW]),
+        .mem_address_o(ports.address[l]),
+        .mem_lines_o(ports.lines[l]),
         .rsp_valid_i(rsp_valid_i[l]),
         .rsp_data_i,
         .child_valid_o(child_valid[l+1]),
@@ -352,7 +359,7 @@ module dopu_nearest #(
         .any_o(any_open[l]),
         .nearest_o(open_nearest[l]),
         .bad_o(bad_o[l]),
-        .bad_line_o(bad_line_o[l*pipegs_pkg::AddressW +: pipegs_pkg::AddressW]),
+        .bad_line_o(ports.bad[l]),
         .waiting_o(reading[l])
       );
 `ifndef SYNTHESIS
