@@ -16,6 +16,7 @@ plant() {  # construct, line
   fi
 }
 plant "an array of a named type" "  splat_t [3:0] splats;"
+plant "elements that are not counted from 0" "  logic [5:0][3:0] low; logic [7:2][W-1:0] x;"
 plant "a function that returns a struct" "  function automatic splat_t make(input logic a);"
 plant "a constant table built by a function" "  localparam logic [31:0] Table [4] = table_of(3);"
 plant "a minus before a sized cast" "  assign y = x + (a ? -W'(5) : 0);"
