@@ -26,14 +26,16 @@
   assign line_free            = CORE.line_free; \
   assign window_done          = CORE.window_done; \
   assign border               = { \
-    CORE.u_raster.mem_write, CORE.u_raster.mem_valid & CORE.u_raster.mem_ready, CORE.u_raster.mem_valid, \
-    CORE.u_raster.splat_valid & CORE.u_raster.splat_ready, CORE.u_sorting.spilling, CORE.u_sorting.mem_valid, \
+    CORE.u_raster.memory_o.write, CORE.u_raster.memory_o.valid & CORE.u_raster.memory_i.ready, \
+    CORE.u_raster.memory_o.valid, \
+    CORE.u_raster.splat_valid & CORE.u_raster.splat_ready, CORE.u_sorting.spilling, CORE.u_sorting.sort_o.valid, \
     CORE.u_sorting.in_order_ready, CORE.u_sorting.in_order_valid, CORE.u_sorting.su_active, \
     CORE.u_sorting.splat_valid & CORE.u_sorting.splat_ready, CORE.splat_ready, CORE.splat_valid, \
-    CORE.u_front.geometry_line, CORE.u_front.geometry_valid, CORE.u_front.culled_valid, \
+    CORE.u_front.reads_i.line[Units-1:0], CORE.u_front.reads_o.valid[Units-1:0], CORE.u_front.culled_valid, \
     CORE.u_front.dealt_valid & CORE.u_front.dealt_ready, CORE.u_front.pu_busy, CORE.u_front.chunk_room, \
-    CORE.u_front.chunk_valid, Units'(CORE.u_front.node_line), \
-    Units'(CORE.u_front.node_valid && CORE.u_front.node_ready), Units'(CORE.u_front.node_valid), \
+    CORE.u_front.chunk_valid, Units'(CORE.u_front.reads_i.line[2*Units]), \
+    Units'(CORE.u_front.reads_o.valid[2*Units] && CORE.u_front.reads_i.ready[2*Units]), \
+    Units'(CORE.u_front.reads_o.valid[2*Units]), \
     Units'(CORE.u_front.dopu_busy)};
 
 module pipegs_sim #(
