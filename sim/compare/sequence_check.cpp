@@ -11,9 +11,26 @@
 namespace pipegs {
 
 SequenceCheck::SequenceCheck(const std::vector<Expected>& frames, const ExternalMemory& memory, RtlTaps* second)
-    : memory_(memory), second_(second) {
+    : memory_(memory), second_(second), cycles_(second != nullptr && second->wants_cycles()) {
   for (const Expected& one : frames) frames_.push_back({one, std::make_unique<StreamCheck>(*one.input)});
   splat_frame_.resize(static_cast<size_t>(frames.front().input->packed->config.units));
+  watch_states();
+}
+
+void SequenceCheck::watch_states() {
+  const bool raster = std::any_of(frames_.begin(), frames_.end(),
+                                  [](const One& one) { return one.expected.input->picture.format != 0; });
+  const auto hear = [this](const StateCheck::Wrong& wrong) {
+    const bool sums = wrong.cycle < 0;
+    StreamCheck& streams = at(left_);
+    if (!sums) streams.cycle = wrong.cycle;
+    streams.fail_beside({.tap = Tap::kState,
+                         .who = wrong.unit,
+                         .field = sums ? "counters of busy, starved, blocked, memory" : "",
+                         .expected = wrong.expected,
+                         .found = wrong.found});
+  };
+  states_ = std::make_unique<StateCheck>(frames_.front().expected.input->packed->config, raster, hear);
 }
 
 StreamCheck& SequenceCheck::at(size_t number) {
@@ -29,6 +46,11 @@ std::optional<int64_t> SequenceCheck::first_cycle() const {
     if (own && (!first || own->cycle < *first)) first = own->cycle;
   }
   return first;
+}
+
+RtlTaps& SequenceCheck::states() {
+  states_->cycle = cycle;
+  return *states_;
 }
 
 RtlTaps& SequenceCheck::second() {
@@ -57,6 +79,7 @@ void SequenceCheck::on_alphas(int lane, uint64_t window_x, uint64_t window_y, ui
 
 void SequenceCheck::on_pixels(int lane, int region, int quarter, const uint32_t* word) {
   at(left_).on_pixels(lane, region, quarter, word);
+  states().on_pixels(lane, region, quarter, word);
   if (second_ != nullptr) second().on_pixels(lane, region, quarter, word);
 }
 
@@ -83,7 +106,41 @@ void SequenceCheck::on_give_up() {
     frames_[i].streams = std::make_unique<StreamCheck>(*frames_[i].expected.input);
   std::fill(splat_frame_.begin(), splat_frame_.end(), back_);
   sorted_frame_ = left_ = back_;
+  watch_states();
   if (second_ != nullptr) second().on_give_up();
+}
+
+void SequenceCheck::on_cycle(uint64_t number, const uint8_t* states) {
+  this->states().on_cycle(number, states);
+  if (cycles_) second().on_cycle(number, states);
+}
+
+void SequenceCheck::on_border(const uint8_t* border) {
+  states().on_border(border);
+  if (cycles_) second().on_border(border);
+}
+
+void SequenceCheck::on_chunk(int unit, int kind) {
+  states().on_chunk(unit, kind);
+  if (cycles_) second().on_chunk(unit, kind);
+}
+
+void SequenceCheck::on_line_free(int unit) {
+  if (cycles_) second().on_line_free(unit);
+}
+
+void SequenceCheck::on_layer_done(int unit, bool window_done) {
+  states().on_layer_done(unit, window_done);
+  if (cycles_) second().on_layer_done(unit, window_done);
+}
+
+void SequenceCheck::on_request(int tag, bool write, uint64_t line, int lines) {
+  states().on_request(tag, write, line, lines);
+  if (cycles_) second().on_request(tag, write, line, lines);
+}
+
+void SequenceCheck::finish(const RtlResult& counters) {
+  if (frames_.front().expected.input->packed->config.taps) states_->finish(counters);
 }
 
 uint64_t SequenceCheck::found(const One& one, uint64_t x, uint64_t y) const {

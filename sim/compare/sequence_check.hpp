@@ -12,6 +12,7 @@
 
 #include "cpp_model/golden.hpp"
 #include "sim/compare/simulate.hpp"
+#include "sim/compare/state_check.hpp"
 #include "sim/compare/stream_check.hpp"
 
 namespace pipegs {
@@ -34,16 +35,14 @@ class SequenceCheck final : public RtlTaps {
   void on_frame_left() override;
   void on_frame_done() override;
   void on_give_up() override;  // what is not complete begins anew
-  // Only the second one looks at cycles.
-  bool wants_cycles() const override { return second_ != nullptr && second_->wants_cycles(); }
-  void on_cycle(uint64_t number, const uint8_t* states) override { second().on_cycle(number, states); }
-  void on_border(const uint8_t* border) override { second().on_border(border); }
-  void on_chunk(int unit, int kind) override { second().on_chunk(unit, kind); }
-  void on_line_free(int unit) override { second().on_line_free(unit); }
-  void on_layer_done(int unit, bool window_done) override { second().on_layer_done(unit, window_done); }
-  void on_request(int tag, bool write, uint64_t line, int lines) override {
-    second().on_request(tag, write, line, lines);
-  }
+  bool wants_cycles() const override { return true; }
+  void on_cycle(uint64_t number, const uint8_t* states) override;
+  void on_border(const uint8_t* border) override;
+  void on_chunk(int unit, int kind) override;
+  void on_line_free(int unit) override;
+  void on_layer_done(int unit, bool window_done) override;
+  void on_request(int tag, bool write, uint64_t line, int lines) override;
+  void finish(const RtlResult& counters);  // after the run
 
   StreamCheck& frame(size_t number) { return *frames_[number].streams; }
   std::optional<int64_t> first_cycle() const;  // of the first mismatch in any frame
@@ -60,14 +59,18 @@ class SequenceCheck final : public RtlTaps {
     std::vector<uint64_t> written = {};
     MemoryBytes moved = {};
   };
-  RtlTaps& second();               // in this cycle
+  RtlTaps& states();  // in this cycle
+  RtlTaps& second();
+  void watch_states();             // from a machine on that is empty
   StreamCheck& at(size_t number);  // the last frame, where a stream shows more than it should
   void compare_pixels(One& one);
   uint64_t found(const One& one, uint64_t x, uint64_t y) const;  // the pixel in memory
 
   const ExternalMemory& memory_;
   RtlTaps* second_;
+  const bool cycles_;  // the second one wants them, too
   std::vector<One> frames_;
+  std::unique_ptr<StateCheck> states_;
   std::vector<size_t> splat_frame_;                // of each unit
   size_t sorted_frame_ = 0, left_ = 0, back_ = 0;  // left_: those of which the RUs show nothing any more
 };

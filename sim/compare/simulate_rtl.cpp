@@ -98,6 +98,7 @@ SequenceRun simulate_sequence(const SimulateOptions& options, const std::vector<
     show_waves(fault.cycle);
     throw;
   }
+  check.finish(run.rtl);
   run.wall = watch.seconds();
   show_waves(check.first_cycle());
   if (check.complete() != frames.size())

@@ -68,6 +68,7 @@ std::string Mismatch::stream() const {
     case Tap::kAlphas: return "alphas -> RU" + number;
     case Tap::kPixels: return "RU" + number;
     case Tap::kMemory: return "frame";
+    case Tap::kState: return "state of " + who;
     case Tap::kTime: return "time";
   }
   return "";
@@ -79,6 +80,7 @@ std::string Mismatch::signal() const {
     case Tap::kSorted: return "tap_sorted_o";
     case Tap::kAlphas: return "tap_alphas_o";
     case Tap::kPixels: return "tap_pixels_o";
+    case Tap::kState: return "tap_state_o";
     case Tap::kMemory:
     case Tap::kTime: return "";
   }

@@ -27,12 +27,13 @@
 
 namespace pipegs {
 
-// What showed a mismatch: a stream, the picture in memory, or the time of gates.
-enum class Tap { kSplat, kSorted, kAlphas, kPixels, kMemory, kTime };
+// What showed a mismatch: a stream, the picture in memory, what a unit says that it does, or the time of gates.
+enum class Tap { kSplat, kSorted, kAlphas, kPixels, kMemory, kState, kTime };
 
 struct Mismatch {
   Tap tap;
   std::optional<int> unit;  // PU or RU
+  std::string who = "";     // that says it, "SU 1"
   std::optional<uint64_t> gaussian, layer;
   std::optional<int> region;
   std::optional<std::array<int, 2>> pixel;
@@ -66,6 +67,8 @@ class StreamCheck final : public RtlTaps {
   bool sorted_over() const { return sorted_place_.window == frame_windows(input_.frame); }
   // A pixel of the picture in memory differs.
   void fail_pixel(int x, int y, const std::string& expected, const std::string& found);
+  // What belongs to no beat, while the RUs are in some window.
+  void fail_beside(Mismatch mismatch) { fail(ru_window_.front(), std::move(mismatch)); }
 
   uint64_t mismatches() const { return mismatches_; }
   const std::optional<Mismatch>& first() const { return first_; }

@@ -25,11 +25,9 @@ struct Signal {
 struct Group {
   const char *title, *begin;
 };
-constexpr Group kGroups[] = {{"PU -> SU", "tap_splat"},
-                             {"merge -> RU", "tap_sorted"},
-                             {"window of the RUs", "tap_window_"},
-                             {"alphas -> RU", "tap_alphas"},
-                             {"RU: T and RGB", "tap_pixels"}};
+constexpr Group kGroups[] = {
+    {"PU -> SU", "tap_splat"},      {"merge -> RU", "tap_sorted"},   {"window of the RUs", "tap_window_"},
+    {"alphas -> RU", "tap_alphas"}, {"RU: T and RGB", "tap_pixels"}, {"states of the units", "tap_state"}};
 
 constexpr int kOfBits = 0x28, kOfWords = 0x22, kTitle = 0x200;  // how GTKWave shows what follows: binary, hexadecimal
 

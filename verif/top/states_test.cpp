@@ -13,8 +13,9 @@
 #include <random>
 
 #include "sim/compare/frame_watch.hpp"
+#include "sim/compare/sequence_check.hpp"
 #include "sim/compare/simulate.hpp"
-#include "verif/top/state_check.hpp"
+#include "sim/compare/state_check.hpp"
 #include "verif/frame/machines.hpp"
 #include "verif/frame/scenes.hpp"
 #include "verif/support/draws.hpp"
@@ -26,9 +27,9 @@ constexpr const char* kStates[] = {"busy", "starved", "blocked", "memory"};
 constexpr const char* kUnits[] = {"DOPU", "PU 0", "SU 0", "RU 0"};
 
 struct Shown {  // in a cycle
-  int64_t cycle;
+  uint64_t number;
   std::vector<uint8_t> states, border;
-  std::vector<std::function<void(StateCheck&)>> rest;
+  std::vector<std::function<void(RtlTaps&)>> rest;
 };
 
 class Recorder final : public RtlTaps {
@@ -36,24 +37,43 @@ class Recorder final : public RtlTaps {
   explicit Recorder(const Config& config) : config_(config) {}
   bool wants_cycles() const override { return true; }
   void on_cycle(uint64_t number, const uint8_t* states) override {
-    shown.push_back({static_cast<int64_t>(number), {states, states + 1 + 3 * config_.units}, {}, {}});
+    shown.push_back({number, {states, states + 1 + 3 * config_.units}, {}, {}});
   }
   void on_border(const uint8_t* border) override { shown.back().border.assign(border, border + kRtlBorders); }
   void on_chunk(int unit, int kind) override {
-    if (kind != kData) shown.back().rest.push_back([=](StateCheck& check) { check.on_end(unit); });
+    then([=](RtlTaps& taps) { taps.on_chunk(unit, kind); });
   }
-  void on_layer_done(int unit, bool) override {
-    shown.back().rest.push_back([=](StateCheck& check) { check.on_layer_done(unit); });
+  void on_layer_done(int unit, bool window_done) override {
+    then([=](RtlTaps& taps) { taps.on_layer_done(unit, window_done); });
   }
-  void on_request(int tag, bool write, uint64_t, int lines) override {
-    if (!shown.empty()) shown.back().rest.push_back([=](StateCheck& check) { check.on_request(tag, write, lines); });
+  void on_request(int tag, bool write, uint64_t line, int lines) override {
+    then([=](RtlTaps& taps) { taps.on_request(tag, write, line, lines); });
   }
-  void on_pixels(int lane, int, int, const uint32_t*) override {
-    shown.back().rest.push_back([unit = lane / config_.tap_lanes()](StateCheck& check) { check.on_pixels(unit); });
+  void on_splat(int unit, const uint32_t* splat) override {
+    then([=, kept = copy(splat, record_width<Splat>(config_))](RtlTaps& taps) { taps.on_splat(unit, kept.data()); });
+  }
+  void on_sorted(const uint32_t* sorted) override {
+    then([kept = copy(sorted, record_width<Sorted>(config_))](RtlTaps& taps) { taps.on_sorted(kept.data()); });
+  }
+  void on_alphas(int lane, uint64_t x, uint64_t y, uint32_t index, int region, int quarter,
+                 const uint32_t* line) override {
+    then([=, kept = copy(line, config_.tap_line_w())](RtlTaps& taps) {
+      taps.on_alphas(lane, x, y, index, region, quarter, kept.data());
+    });
+  }
+  void on_pixels(int lane, int region, int quarter, const uint32_t* word) override {
+    then([=, kept = copy(word, config_.tap_word_w())](RtlTaps& taps) {
+      taps.on_pixels(lane, region, quarter, kept.data());
+    });
   }
   std::vector<Shown> shown;
 
  private:
+  void then(std::function<void(RtlTaps&)> call) {
+    if (!shown.empty()) shown.back().rest.push_back(std::move(call));
+  }
+  static std::vector<uint32_t> copy(const uint32_t* words, int bits) { return {words, words + (bits + 31) / 32}; }
+
   const Config& config_;
 };
 
@@ -65,15 +85,13 @@ class States : public testing::Test {
   }
   // A frame in which some units wait for their memory and some are blocked.
   static const Recorder& run() {
-    static Simulation simulation;
     static Recorder recorder(options().config);
     if (recorder.shown.empty()) {
       SimulateOptions with = options();
       with.taps = &recorder;
-      simulate_golden(random_scene(3, 3000, 1), test_camera(150, 140, 150), with, simulation);
-      simulate_rtl(with, simulation);
-      EXPECT_EQ(simulation.mismatches, 0u) << simulation.first_mismatch->what;
-      counters_ = simulation.rtl;
+      simulate_golden(random_scene(3, 3000, 1), test_camera(150, 140, 150), with, simulation_);
+      simulate_rtl(with, simulation_);
+      EXPECT_EQ(simulation_.mismatches, 0u) << simulation_.first_mismatch->what;
     }
     return recorder;
   }
@@ -82,28 +100,32 @@ class States : public testing::Test {
   static std::vector<StateCheck::Wrong> check(const Alter& alter, const RtlResult* counters = nullptr) {
     std::vector<StateCheck::Wrong> lines;
     StateCheck check(options().config, false, [&](const StateCheck::Wrong& wrong) { lines.push_back(wrong); });
+    show(check, alter);
+    if (counters != nullptr) check.finish(*counters);
+    return lines;
+  }
+  static void show(RtlTaps& taps, const Alter& alter) {
     for (size_t i = 0; i < run().shown.size(); ++i) {
       const Shown& one = run().shown[i];
       std::vector<uint8_t> states = one.states;
       if (alter) alter(i, states.data());
-      check.on_cycle(one.cycle, states.data());
-      check.on_border(one.border.data());
-      for (const auto& rest : one.rest) rest(check);
+      taps.cycle = static_cast<int64_t>(one.number);
+      taps.on_cycle(one.number, states.data());
+      taps.on_border(one.border.data());
+      for (const auto& rest : one.rest) rest(taps);
     }
-    if (counters != nullptr) check.finish(*counters);
-    return lines;
   }
   // The first unit of each kind: where its state stands.
   static std::array<size_t, 4> first_units() {
     const auto units = static_cast<size_t>(options().config.units);
     return {0, 1, 1 + units, 1 + 2 * units};
   }
-  static inline RtlResult counters_;
+  static inline Simulation simulation_;
 };
 
 TEST_F(States, AMachineWithoutAFaultAgrees) {
   run();
-  EXPECT_EQ(check({}, &counters_).size(), 0u);
+  EXPECT_EQ(check({}, &simulation_.rtl).size(), 0u);
 }
 
 TEST_F(States, OneStateForAnotherIsSeen) {
@@ -154,11 +176,40 @@ TEST_F(States, MostSingleStatesAreSeen) {
 
 TEST_F(States, CountersOfOtherStatesAreSeen) {
   run();
-  RtlResult wrong = counters_;
+  RtlResult wrong = simulation_.rtl;
   --wrong.su[1].starved, ++wrong.su[1].busy;
   const std::vector<StateCheck::Wrong> lines = check({}, &wrong);
   ASSERT_EQ(lines.size(), 1u);
   EXPECT_EQ(lines[0].unit, "SU 1");
+}
+
+// What `pipegs sim` compares: in it a state that cannot be is a mismatch as any other, and so are counters.
+TEST_F(States, TheComparisonOfFramesHearsThem) {
+  run();
+  const ExternalMemory memory({}, options().config.bus_w);
+  const SequenceCheck::Expected frame = {&simulation_.input, &simulation_.golden.pixels};
+  SequenceCheck good({frame}, memory, nullptr), wrong({frame}, memory, nullptr), sums({frame}, memory, nullptr);
+  show(good, {});
+  good.finish(simulation_.rtl);
+  EXPECT_EQ(good.frame(0).mismatches(), 0u) << good.frame(0).first()->line();
+
+  const size_t su = first_units()[2];
+  show(wrong, [&](size_t cycle, uint8_t* states) {
+    if (cycle >= 500 && states[su] == kBusy) states[su] = kBlocked;
+  });
+  EXPECT_GT(wrong.frame(0).mismatches(), 10u);
+  ASSERT_TRUE(wrong.frame(0).first().has_value());
+  const Mismatch& first = *wrong.frame(0).first();
+  EXPECT_EQ(first.tap, Tap::kState);
+  EXPECT_GE(first.cycle, 500);
+  EXPECT_EQ(first.what, "state of SU 0: expected busy, found blocked");
+
+  RtlResult counters = simulation_.rtl;
+  --counters.ru[1].busy;
+  show(sums, {});
+  sums.finish(counters);
+  ASSERT_EQ(sums.frame(0).mismatches(), 1u);
+  EXPECT_EQ(sums.frame(0).first()->who, "RU 1");
 }
 
 }  // namespace

@@ -23,7 +23,7 @@
 
 namespace pipegs {
 
-class StateCheck {
+class StateCheck final : public RtlTaps {
  public:
   struct Wrong {
     std::string unit;    // "PU 1"
@@ -34,21 +34,22 @@ class StateCheck {
   // `raster`: pixels of some frame are in raster order, lines of which two RUs may share.
   StateCheck(const Config& config, bool raster, Hear hear);
 
-  // What RtlTaps shows, `on_cycle` first in each cycle.
-  void on_cycle(int64_t cycle, const uint8_t* states);
-  void on_border(const uint8_t* border);
-  void on_end(int pu) { now().ends |= static_cast<uint8_t>(1 << pu); }  // DOPU -> PU
-  void on_pixels(int ru) { now().pixels |= static_cast<uint8_t>(1 << ru); }
-  void on_layer_done(int ru) { now().layers |= static_cast<uint8_t>(1 << ru); }
-  void on_request(int tag, bool write, int lines);
+  bool wants_cycles() const override { return true; }
+  void on_cycle(uint64_t number, const uint8_t* states) override;
+  void on_border(const uint8_t* border) override;
+  void on_chunk(int pu, int kind) override;
+  void on_pixels(int lane, int region, int quarter, const uint32_t* word) override;
+  void on_layer_done(int ru, bool) override { now().layers |= static_cast<uint8_t>(1 << ru); }
+  void on_request(int tag, bool write, uint64_t line, int lines) override;
   // After the run.
   void finish(const RtlResult& counters);
 
  private:
   static constexpr size_t kKinds = 4, kUnits = 4, kStates = 4;  // units of a kind at most
   static constexpr uint64_t kKept = 8;                          // cycles that are looked back at
+  static constexpr int64_t kNone = -1;                          // before the first one
   struct Cycle {
-    int64_t number;
+    int64_t number = kNone;
     std::array<uint8_t, 1 + (kKinds - 1) * kUnits> states;
     std::array<uint8_t, kRtlBorders> border;
     uint8_t ends, pixels, layers;  // of each PU: an end comes; RU: a word is written back, a layer ends

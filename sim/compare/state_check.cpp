@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // state_check.cpp: see state_check.hpp.
-#include "verif/top/state_check.hpp"
+#include "sim/compare/state_check.hpp"
 
 #include <fmt/format.h>
 
@@ -38,9 +38,9 @@ size_t StateCheck::place(size_t kind, int k) const {
   return kind == 0 ? 0 : 1 + (kind - 1) * static_cast<size_t>(config_.units) + static_cast<size_t>(k);
 }
 
-// All of a cycle is known when the next one begins.
-void StateCheck::on_cycle(int64_t cycle, const uint8_t* states) {
-  if (cycles_ >= kKept) judge();
+// All of a cycle is known when the next one begins. What a unit has asked for counts from the first one on.
+void StateCheck::on_cycle(uint64_t, const uint8_t* states) {
+  if (cycles_ > 0) judge();
   if (cycle != now().number + 1) counts_ = {};  // the machine was empty, and its counters begin anew
   ++cycles_;
   now() = {.number = cycle, .states = {}, .border = {}, .ends = 0, .pixels = 0, .layers = 0};
@@ -52,8 +52,16 @@ void StateCheck::on_cycle(int64_t cycle, const uint8_t* states) {
 
 void StateCheck::on_border(const uint8_t* border) { std::copy_n(border, kRtlBorders, now().border.begin()); }
 
+void StateCheck::on_chunk(int pu, int kind) {
+  if (kind != kData) now().ends |= static_cast<uint8_t>(1 << pu);
+}
+
+void StateCheck::on_pixels(int lane, int, int, const uint32_t*) {
+  now().pixels |= static_cast<uint8_t>(1 << lane / config_.tap_lanes());
+}
+
 // Reads of geometry, colours and nodes have the last tags.
-void StateCheck::on_request(int tag, bool write, int lines) {
+void StateCheck::on_request(int tag, bool write, uint64_t, int lines) {
   const int reader = tag - (config_.memory_ports() - 2 * config_.units - 1);
   if (write || reader < 0) return;
   if (reader < config_.units) pu_[static_cast<size_t>(reader)].geometry.lines += lines;
@@ -75,6 +83,7 @@ void StateCheck::finish(const RtlResult& counters) {
 }
 
 void StateCheck::expect(const Cycle& cycle, size_t kind, int k, unsigned allowed) {
+  if (cycle.number == kNone) return;
   const uint8_t state = cycle.states[place(kind, k)];
   if ((allowed >> state & 1) != 0) return;
   hear_({.unit = kind == 0 ? kKindNames[kind] : fmt::format("{} {}", kKindNames[kind], k),
@@ -155,7 +164,7 @@ void StateCheck::judge_ru(int k) {
     if (joined_) allowed |= kM;
     if (config_.caches_alphas()) allowed |= kK | kM;  // it waits for a line of alphas
     if (queued > 0 || shared) allowed |= kB;
-    if (judged.states[place(3, k)] == kBusy && !shared) --queued;
+    if (judged.number != kNone && judged.states[place(3, k)] == kBusy && !shared) --queued;
   }
   expect(judged, 3, k, allowed);
   queued += ago(pass + 1).at(kRuTakes, k);
