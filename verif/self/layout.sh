@@ -8,7 +8,7 @@
 # Plumbing (rtl/lib queues and memories, rtl/buf) has no bit-accurate model but a test. A module that lacks its test or
 # its bit-accurate model needs a line in covered_by.txt with the test that covers it, and no line may be stale: its
 # module, its test and the need for it must exist. A stage of cpp_model/pu/stages.def is covered by pu_shape. Also: at
-# most 400 lines a file, a head comment, no page that names a module that is gone. Prints what is missing and fails when
+# most 430 lines a file, a head comment, no page that names a module that is gone. Prints what is missing and fails when
 # anything is.
 set -uo pipefail
 cd "$(dirname "$0")/../.." || exit
@@ -56,7 +56,7 @@ for file in "${files[@]}"; do
   fi
   grep -qw -- "$name" docs/units/*.md || complain "$file: no heading or row in docs/units"
   lines=$(wc -l < "$file")
-  [ "$lines" -le 400 ] || [ "$name" = pipegs_pkg ] || complain "$file: $lines lines, at most 400"
+  [ "$lines" -le 430 ] || [ "$name" = pipegs_pkg ] || complain "$file: $lines lines, at most 430"
   [ "$(sed -n 2p "$file" | cut -c 1-3)" = "// " ] || complain "$file: no head comment"
 done
 
