@@ -9,10 +9,16 @@
 #include "cpp_model/ru/ru_resolve.hpp"
 
 namespace pipegs {
+namespace {
+
+constexpr size_t kInside = 3;  // frames at most: in front, behind it, and on its way to memory
+
+}  // namespace
 
 SequenceCheck::SequenceCheck(const std::vector<Expected>& frames, const ExternalMemory& memory, RtlTaps* second)
     : memory_(memory), second_(second), cycles_(second != nullptr && second->wants_cycles()) {
-  for (const Expected& one : frames) frames_.push_back({one, std::make_unique<StreamCheck>(*one.input)});
+  for (const Expected& one : frames)
+    frames_.push_back({one, std::make_unique<StreamCheck>(*one.input), {*one.input, one.areas}});
   splat_frame_.resize(static_cast<size_t>(frames.front().input->packed->config.units));
   watch_states();
 }
@@ -136,11 +142,26 @@ void SequenceCheck::on_layer_done(int unit, bool window_done) {
 
 void SequenceCheck::on_request(int tag, bool write, uint64_t line, int lines) {
   states().on_request(tag, write, line, lines);
+  compare_request(tag, write, line, lines);
   if (cycles_) second().on_request(tag, write, line, lines);
 }
 
 void SequenceCheck::finish(const RtlResult& counters) {
   if (frames_.front().expected.input->packed->config.taps) states_->finish(counters);
+}
+
+// Of the frames inside: the one that is being written, and those that the front has begun meanwhile.
+void SequenceCheck::compare_request(int tag, bool write, uint64_t line, int lines) {
+  const size_t first = std::min(back_, frames_.size() - 1), end = std::min(back_ + kInside, frames_.size());
+  for (size_t i = first; i < end; ++i) {
+    if (frames_[i].requests.allows(tag, write, line, lines)) return;
+  }
+  const Config& config = frames_[first].expected.input->packed->config;
+  at(first).fail_beside({.tap = Tap::kRequest,
+                         .who = fmt::format("{} ({})", tag, memory_streams(config)[memory_stream(config, tag)]),
+                         .field = fmt::format("line that it {}", write ? "writes" : "reads"),
+                         .expected = frames_[first].requests.allowed(tag, write),
+                         .found = fmt::to_string(line) + (lines > 1 ? fmt::format(" and {} more", lines - 1) : "")});
 }
 
 uint64_t SequenceCheck::found(const One& one, uint64_t x, uint64_t y) const {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cpp_model/golden.hpp"
+#include "sim/compare/request_check.hpp"
 #include "sim/compare/simulate.hpp"
 #include "sim/compare/state_check.hpp"
 #include "sim/compare/stream_check.hpp"
@@ -19,10 +20,11 @@ namespace pipegs {
 
 class SequenceCheck final : public RtlTaps {
  public:
-  // A frame where it lies in memory, and its golden pixels. `input` and `pixels` outlive this.
+  // A frame where it lies in memory, its golden pixels, and its areas. `input` and `pixels` outlive this.
   struct Expected {
     const GoldenInput* input;
     const std::vector<uint64_t>* pixels;
+    Areas areas;
   };
   // `second` sees all that this sees, or is null.
   SequenceCheck(const std::vector<Expected>& frames, const ExternalMemory& memory, RtlTaps* second);
@@ -56,6 +58,7 @@ class SequenceCheck final : public RtlTaps {
   struct One {
     Expected expected;
     std::unique_ptr<StreamCheck> streams;
+    RequestCheck requests;
     std::vector<uint64_t> written = {};
     MemoryBytes moved = {};
   };
@@ -64,6 +67,7 @@ class SequenceCheck final : public RtlTaps {
   void watch_states();             // from a machine on that is empty
   StreamCheck& at(size_t number);  // the last frame, where a stream shows more than it should
   void compare_pixels(One& one);
+  void compare_request(int tag, bool write, uint64_t line, int lines);
   uint64_t found(const One& one, uint64_t x, uint64_t y) const;  // the pixel in memory
 
   const ExternalMemory& memory_;

@@ -61,7 +61,7 @@ SequenceRun simulate_sequence(const SimulateOptions& options, const std::vector<
   uint64_t windows = 0;
   for (size_t i = 0; i < frames.size(); ++i) {
     const GoldenInput& input = placed.inputs[i];
-    expected.push_back({&input, &frames[i]->golden.pixels});
+    expected.push_back({&input, &frames[i]->golden.pixels, placed.areas[i]});
     jobs.push_back(frame_job(config, input.frame, placed.areas[i], input.picture));
     windows += frame_windows(input.frame);
   }

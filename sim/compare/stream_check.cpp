@@ -69,6 +69,7 @@ std::string Mismatch::stream() const {
     case Tap::kPixels: return "RU" + number;
     case Tap::kMemory: return "frame";
     case Tap::kState: return "state of " + who;
+    case Tap::kRequest: return "memory port " + who;
     case Tap::kTime: return "time";
   }
   return "";
@@ -81,6 +82,7 @@ std::string Mismatch::signal() const {
     case Tap::kAlphas: return "tap_alphas_o";
     case Tap::kPixels: return "tap_pixels_o";
     case Tap::kState: return "tap_state_o";
+    case Tap::kRequest: return "mem_request_o";
     case Tap::kMemory:
     case Tap::kTime: return "";
   }

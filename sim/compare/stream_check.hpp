@@ -27,8 +27,9 @@
 
 namespace pipegs {
 
-// What showed a mismatch: a stream, the picture in memory, what a unit says that it does, or the time of gates.
-enum class Tap { kSplat, kSorted, kAlphas, kPixels, kMemory, kState, kTime };
+// What showed a mismatch: a stream, the picture in memory, what a unit says that it does, what it asks of memory, or
+// the time of gates.
+enum class Tap { kSplat, kSorted, kAlphas, kPixels, kMemory, kState, kRequest, kTime };
 
 struct Mismatch {
   Tap tap;

@@ -40,7 +40,8 @@ TEST(ExampleFrame, TheExampleRendersAFrame) {
     memory.line((kImage + i) / 64)[i / 4 % 16] = word;
   }
 
-  SequenceCheck check({{&input, &simulation.golden.pixels}}, memory, nullptr);
+  const Areas areas = frame_areas(options.config, *input.packed, input.frame);
+  SequenceCheck check({{&input, &simulation.golden.pixels, areas}}, memory, nullptr);
   int result = -1;
   const auto program = [&](const pipegs_bus& machine) {
     bus = &machine;

@@ -12,6 +12,7 @@
 #include <map>
 #include <random>
 
+#include "cpp_model/areas/frame_areas.hpp"
 #include "sim/compare/frame_watch.hpp"
 #include "sim/compare/sequence_check.hpp"
 #include "sim/compare/simulate.hpp"
@@ -183,11 +184,59 @@ TEST_F(States, CountersOfOtherStatesAreSeen) {
   EXPECT_EQ(lines[0].unit, "SU 1");
 }
 
+// In what `pipegs sim` compares, a request that leaves the areas of its port is a mismatch, though no pixel shows it.
+TEST_F(States, RequestsOutsideOfTheirAreasAreHeard) {
+  const Config& config = options().config;
+  run();
+  const GoldenInput& input = simulation_.input;
+  const Tables& at = input.frame.tables;
+  const Areas areas = frame_areas(config, *input.packed, input.frame);
+  const ExternalMemory memory({}, config.bus_w);
+  const int units = config.units, geometry = config.write_ports(), color = geometry + units, nodes = color + units;
+  const uint64_t share = areas.overflow >> 2;  // of each of four units
+  ASSERT_EQ(units, 4);
+  struct Request {
+    int tag;
+    bool write;
+    uint64_t line;
+    int lines;
+    const char* expected;  // null: it is allowed
+  };
+  const std::string geometry_lines = fmt::format("{} to {}", at.gaussians, at.gaussians + areas.gaussians - 1);
+  for (const Request& one : {Request{geometry, false, at.gaussians, 8, nullptr},
+                             {geometry + 3, false, at.gaussians + areas.gaussians - 1, 1, nullptr},
+                             {geometry, false, at.gaussians + areas.gaussians - 1, 2, geometry_lines.c_str()},
+                             {geometry, false, at.colors, 1, geometry_lines.c_str()},
+                             {geometry, true, at.gaussians, 1, "no write"},
+                             {color, false, at.colors, 1, nullptr},
+                             {color, false, at.gaussians, 1, ""},
+                             {nodes, false, at.chunks, 8, nullptr},
+                             {nodes, false, at.gaussians, 1, ""},
+                             {units + 1, true, at.overflow + share, 1, nullptr},
+                             {units + 1, true, at.overflow + 2 * share, 1, ""},  // of SU 2
+                             {units + 1, false, at.overflow, 1, ""},
+                             {2 * units, true, at.pixels, 1, nullptr},
+                             {2 * units, true, at.pixels + areas.pixels, 1, ""},
+                             {2 * units, false, at.pixels, 1, "no read"},
+                             {0, true, at.overflow, 1, "no write"}}) {  // no alphas go to memory
+    SCOPED_TRACE(fmt::format("port {} {} line {}", one.tag, one.write ? "writes" : "reads", one.line));
+    SequenceCheck check({{&input, &simulation_.golden.pixels, areas}}, memory, nullptr);
+    check.on_request(one.tag, one.write, one.line, one.lines);
+    ASSERT_EQ(check.frame(0).mismatches(), one.expected == nullptr ? 0u : 1u);
+    if (one.expected == nullptr) continue;
+    const Mismatch& first = *check.frame(0).first();
+    EXPECT_EQ(first.tap, Tap::kRequest);
+    if (*one.expected != 0) EXPECT_EQ(first.expected, one.expected);
+  }
+}
+
 // What `pipegs sim` compares: in it a state that cannot be is a mismatch as any other, and so are counters.
 TEST_F(States, TheComparisonOfFramesHearsThem) {
   run();
   const ExternalMemory memory({}, options().config.bus_w);
-  const SequenceCheck::Expected frame = {&simulation_.input, &simulation_.golden.pixels};
+  const GoldenInput& input = simulation_.input;
+  const SequenceCheck::Expected frame = {&input, &simulation_.golden.pixels,
+                                         frame_areas(options().config, *input.packed, input.frame)};
   SequenceCheck good({frame}, memory, nullptr), wrong({frame}, memory, nullptr), sums({frame}, memory, nullptr);
   show(good, {});
   good.finish(simulation_.rtl);
