@@ -4,8 +4,9 @@
 // Idea    A unit's state comes from its inside, but much of it shows outside, too. What the borders leave open:
 //           DOPU    busy in the cycle before a chunk shows at a PU; not starved while one does; waits for memory only
 //                   while lines are to come; starved without a frame
-//           PU      starved when nothing is inside; blocked while the SU takes nothing; waits for memory when all that
-//                   it has is on its way; busy, or blocked, as long as what the cull lets through needs at least
+//           PU      starved when nothing is inside, or blocked by the end of a layer that waits for older ones; blocked
+//                   while the SU takes nothing; waits for memory when all that it has is on its way; busy, or blocked,
+//                   as long as what the cull lets through needs at least
 //           SU      busy when it needs its clock for more than to take a splat; else blocked while its splat is not
 //                   taken, else starved
 //           RU      busy when a word of pixels begins, a line of them leaves, a layer ends, and in no more cycles than
