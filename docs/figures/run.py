@@ -4,6 +4,7 @@ import concurrent.futures
 import datetime
 import json
 import random
+import re
 import shlex
 import shutil
 import subprocess
@@ -19,6 +20,7 @@ from sources import ROOT, find_modules
 
 AT_ONCE = 2
 SVG = ROOT / "sim/report/page/svg.sh"
+JSON = re.compile(r"\s*({|\[[^=])")  # how it begins; GoogleTest's output does with [===
 QUICK = 20  # seconds of one that the tests measure again
 TIMES = {"seconds", "wall_seconds", "host", "khz", "speed_ratio"}  # keys of what the computer took
 UNKNOWN = 60  # seconds of one that was never measured
@@ -66,7 +68,7 @@ def execute(one, build, drawn=False):
     if process.returncode not in one.exit_codes:
         return None, f"failed: exit code {process.returncode}: {one.shown()}\n{said[-1000:]}"
     try:
-        found = json.loads(printed) if printed.lstrip()[:1] in ("{", "[") else printed
+        found = json.loads(printed) if JSON.match(printed) else printed
         charts = found.pop("charts", None) if isinstance(found, dict) else None
         if drawn:
             draw(one, charts, build)
