@@ -152,7 +152,7 @@ class Schedule {
   Pace pace_ = Pace::kAlways;
   std::deque<Job> jobs_;
   Job front_{};
-  bool front_works_ = false, ahead_ = false, back_works_ = false, was_idle_ = false;
+  bool front_works_ = false, ahead_ = false, back_works_ = false, was_idle_ = true;
   bool front_restart_ = false, back_restart_ = false, begin_ = false, finished_ = false;
   uint64_t front_left_ = 0;  // cycles
   uint64_t enter_ = 0, since_restart_ = 3;
