@@ -25,8 +25,8 @@ inline constexpr Cycle kNever = int64_t{1} << 60;
 
 // A Gaussian of the trace, or an end. Below the ends: number of a survivor of the cull, see TimingTrace.
 using Beat = uint32_t;
-inline constexpr Beat kLayerEndBeat = 0xfffffffe, kWindowEndBeat = 0xffffffff, kBubble = 0xfffffffd;
-inline bool is_end(Beat beat) { return beat >= kLayerEndBeat; }
+inline constexpr Beat kLayerEndBeat = 0xfffffffe, kWindowEndBeat = 0xffffffff, kPartEndBeat = 0xfffffffd, kBubble = 0xfffffffc;
+inline bool is_end(Beat beat) { return beat >= kPartEndBeat; }
 
 // An output register: valid until the taker clears it; seen from `from` on.
 template <class T>

@@ -3,6 +3,8 @@
 #include "sim/timing/machine.hpp"
 
 #include <algorithm>
+#include <cstdio>
+#include "sim/timing/knobs.hpp"
 #include <bit>
 #include <stdexcept>
 #include <string>
@@ -97,6 +99,33 @@ bool Machine::cycle() {
     for (int i = 0; i < Wheel::kWords; ++i) wheel.word(i) |= all_[static_cast<size_t>(i)];
   }
   memory.step(*this, now);
+  if (x_stat() != 0 && now % 8 == 0) {
+    static uint64_t n = 0, c[32];
+    ++n;
+    int rubusy = 0, vis = 0, culled_wait = 0, tiles = 0, full = 0, splits = 0, sorts = 0, inwait = 0, used = 0, outw = 0, merge_wait = 0, spill = 0, idle = 0;
+    for (Ru& r : ru) rubusy += r.live_.queued_ != 0 || r.live_.halves_ != 0;
+    for (Ru& r : ru) idle += r.queue.empty();
+    for (Pu& p : pu) { vis += p.visible.count() > 0 || p.phases_.first().holding; culled_wait += p.culled.shown(now); tiles += p.queued_.count() >= 60; }
+    for (Su& u : su) {
+      full += u.used_ == u.records_; splits += !u.split_idle(now); sorts += u.sorting_; inwait += u.in_.valid(now); used += u.used_; outw += u.out_.valid; spill += u.spill_ != Su::kSpillIdle;
+    }
+    merge_wait = merge.out.valid;
+    c[0] += rubusy; c[1] += idle; c[2] += vis; c[3] += culled_wait; c[4] += tiles; c[5] += full; c[6] += splits; c[7] += sorts; c[8] += inwait; c[9] += static_cast<uint64_t>(used); c[10] += outw; c[11] += merge_wait; c[12] += spill;
+    c[13] += dopu.emit_valid_ != 0; c[14] += dopu.multiplying_ || dopu.shifting_; c[15] += dopu.nearest_ && !dopu.nearest_->queue_->idle();
+    c[16] += dopu.nearest_ && !dopu.nearest_->in_test_.empty();
+    for (int k = 0; k < config.pu_fronts(); ++k) c[17] += pu[static_cast<size_t>(k)].pipe_count_ > 0;
+    c[18] += dopu.nearest_ && (dopu.nearest_->open_[1].reader.wants());
+    c[19] += dopu.nearest_ && dopu.nearest_->queue_->crowded();
+    bool oneset = true; int dones = 0;
+    for (auto& s : dopu.sets_) dones += s.valid; oneset = dones == 1; c[20] += oneset;
+    c[21] += dopu.nearest_ && dopu.nearest_->valid_;
+    for (Su& u : su) c[22] += u.closed_[0] + u.closed_[1];
+    for (Pu& p : pu) {
+      c[23] += p.phases_.out.valid; c[24] += p.conic_.out.valid; c[25] += p.parts_.out.valid; c[26] += p.coeff_.out.valid; c[27] += static_cast<uint64_t>(p.walks_.count()); c[28] += p.tiles_.valid; c[29] += p.late_out_.valid; c[30] += static_cast<uint64_t>(p.queued_.count()); c[31] += p.phases_.first().holding;
+    }
+    static const char* name[] = {"ru busy", "ru queue empty", "pu has visible", "culled waits", "pu out full", "su full", "splitting", "bitonic", "su in waits", "su used", "su out", "merge out", "spill", "dopu emit waits", "dopu origin", "dopu queue busy", "dopu testing", "cull busy(of 2)", "chunk reader wants", "queue crowded", "one set", "dopu item", "su sets closed", "phases out", "conic out", "parts out", "coeff out", "walks", "tiles", "late out", "queued", "project holds"};
+    if (now % (1 << 21) == 0 || x_stat() == now) { fprintf(stderr, "@%lld", static_cast<long long>(now)); for (int i = 0; i < 32; ++i) fprintf(stderr, " | %s %.2f", name[i], double(c[i]) / double(n)); fprintf(stderr, "\n"); }
+  }
   for (int i = 0; i < Wheel::kWords; ++i) {
     uint64_t& word = wheel.word(i);
     while (word != 0) {

@@ -121,7 +121,7 @@ void Dopu::emit(Machine& m, DopuCycle& cycle) {
     emit_valid_ = uint32_t{1} << emit_last_;
     had_chunk_ = true;
   } else {
-    emit_chunk_.end = shifted_.end;
+    emit_chunk_.end = shifted_.end == kWindowEndBeat && nearest_ && !m.trace.walks[shifted_.node].last ? kPartEndBeat : shifted_.end;
     emit_chunk_.mark = shifted_.mark;
     const bool drop = shifted_.end == kLayerEndBeat && !had_chunk_;
     emit_valid_ = drop ? 0 : (uint32_t{1} << units_) - 1;
@@ -256,7 +256,27 @@ void Dopu::windows(const Machine& m, DopuCycle& cycle) {
   // done of the next cycle; the sets as they were when this one began.
   for (size_t s = 0; s < 2; ++s) {
     bool done = sets_[s].valid && !m.config.has_lists();
-    for (const Ru& ru : m.ru) done = done && ru.window() == sets_[s].window && ru.all_done();
+    if (done) {
+      const TimingWalk& walk = m.trace.walks[sets_[s].window];
+      RegionSet closed;
+      for (const Ru& ru : m.ru) {
+        if (ru.window() == walk.window) closed |= ru.done();
+      }
+      const RegionSet now_open = ~closed & walk.rect;
+      if (x_bbox() == 0) {
+        sets_[s].open = now_open;
+      } else if (!(now_open == sets_[s].raw)) {
+        sets_[s].raw = now_open;
+        sets_[s].open = around(m.config, now_open & ~m.trace.windows[walk.window].outside, x_bbox());
+      }
+      if (walk.part < 0) {
+        for (const Ru& ru : m.ru) done = done && ru.window() == walk.window && ru.all_done();
+      } else {
+        for (const Ru& ru : m.ru) done = done && ru.window() == walk.window;
+        RegionSet outside = m.trace.windows[walk.window].outside;
+        done = done && (~closed & walk.rect & ~outside) == RegionSet{};
+      }
+    }
     if (done != done_[s]) woken_ = cycle.changed = true;
     done_[s] = done;
   }
@@ -264,6 +284,8 @@ void Dopu::windows(const Machine& m, DopuCycle& cycle) {
   if (planes_ == kPlanesReady && !sets_[fill_].valid) {
     DopuSet& set = sets_[fill_];
     set.valid = set.fresh = true;
+    set.open = ~RegionSet{};
+    set.raw = ~RegionSet{};
     set.window = next_window_;
     set.chunk = m.trace.walks[next_window_].first_chunk;
     set.last = ++next_window_ == walks_;

@@ -2,7 +2,10 @@
 // dopu_item.hpp: what moves inside the DOPU of the timing model, and what its parts share in a cycle.
 #pragma once
 
+#include <algorithm>
 #include <array>
+
+#include "sim/timing/knobs.hpp"
 
 #include "sim/timing/cycle.hpp"
 #include "sim/timing/trace/trace.hpp"
@@ -23,9 +26,27 @@ struct DopuItem {
 // A set of planes: a window that is walked.
 struct DopuSet {
   bool valid = false, fresh = false, last = false, done = false;
-  size_t window = 0;
+  size_t window = 0;  // a walk
+  RegionSet open, raw;
   size_t chunk = 0;  // of the window's chunks that pass, the next one to enter the test (orders 0 and 1)
 };
+
+// The rectangle around the open regions: of the window (1), of each part (2).
+inline RegionSet around(const Config& c, const RegionSet& open, int kind) {
+  if (kind == 0) return open;
+  RegionSet result;
+  for (int p = kind == 2 ? 0 : -1; p < (kind == 2 ? c.parts() : 0); ++p) {
+    int x0 = 99, x1 = -1, y0 = 99, y1 = -1;
+    for (int r = 0; r < c.regions(); ++r) {
+      if (!open.has(c, r) || (p >= 0 && region_part(c, r) != p)) continue;
+      x0 = std::min(x0, region_x(c, r)), x1 = std::max(x1, region_x(c, r));
+      y0 = std::min(y0, region_y(c, r)), y1 = std::max(y1, region_y(c, r));
+    }
+    for (int y = y0; y <= y1; ++y)
+      for (int x = x0; x <= x1; ++x) result.add(c, region_at(c, x, y));
+  }
+  return result;
+}
 
 using DopuSets = std::array<DopuSet, 2>;
 

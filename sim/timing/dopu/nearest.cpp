@@ -117,7 +117,8 @@ Nearest::Said Nearest::look(const DopuCycle& cycle, const DopuSets& sets) {
   const bool chunk_due = first_send == is.lowest || (direct_chunk && first_send <= held_[2].front().node.bucket);
   is.pop_send = has_first && (is.done ? !popping_ : idle_send && !is.mark_due && chunk_due);
   is.load_direct = direct_chunk && idle_send && !is.done && !is.mark_due && !is.pop_send;
-  is.load_popped = queue_->out() && queue_->list() >= 4 && !is.done;
+  is.load_popped = queue_->out() && queue_->list() >= 4 && !is.done &&
+                   !closed(trace_.chunks_sent[queue_->node().number].box, sets[sent]);
 
   // Opening: the nearest cell, the nearest group.
   const bool few = waiting_[static_cast<size_t>(set2)] < Config::nearest_ahead() && !crowded;
@@ -153,11 +154,11 @@ Nearest::Result Nearest::child(int level, uint32_t node, bool last, const DopuSe
   if (level == 1) {
     while (cursor < walk.groups_ranked.size() && walk.groups_ranked[cursor].node < node) ++cursor;
     if (cursor == walk.groups_ranked.size() || walk.groups_ranked[cursor].node != node) return result;
-    return {last, true, {walk.groups_ranked[cursor].bucket, cursor}};
+    return {last, !closed(walk.groups_ranked[cursor].box, sets[static_cast<size_t>(set_[static_cast<size_t>(level)])]), {walk.groups_ranked[cursor].bucket, cursor}};
   }
   while (cursor < walk.first_chunk + walk.chunks && trace_.chunks_sent[cursor].chunk < node) ++cursor;
   if (cursor == walk.first_chunk + walk.chunks || trace_.chunks_sent[cursor].chunk != node) return result;
-  return {last, true, {trace_.chunks_sent[cursor].bucket, cursor}};
+  return {last, !closed(trace_.chunks_sent[cursor].box, sets[static_cast<size_t>(set_[static_cast<size_t>(level)])]), {trace_.chunks_sent[cursor].bucket, cursor}};
 }
 
 void Nearest::enter(DopuCycle& cycle, const DopuSets& sets, const Said& is) {
@@ -226,7 +227,9 @@ void Nearest::open(DopuCycle& cycle, const DopuSets& sets, const Said& is) {
     const size_t child_level = static_cast<size_t>(l) + 1;
     const bool settled = is.retired[child_level] && held_[child_level].front().last;
     const bool popped =
-        queue_->out() && queue_->list() >> 1 == l && !sets[static_cast<size_t>(queue_->list() & 1)].done;
+        queue_->out() && queue_->list() >> 1 == l && !sets[static_cast<size_t>(queue_->list() & 1)].done &&
+        !(l == 1 && closed(trace_.walks[sets[static_cast<size_t>(queue_->list() & 1)].window].groups_ranked[queue_->node().number].box,
+                           sets[static_cast<size_t>(queue_->list() & 1)]));
     const bool take = popped || is.direct[static_cast<size_t>(l)];
     // The job that waits goes to the reader.
     const bool job_goes = open.job_valid && open.reader.room_before_job(now);
@@ -269,11 +272,12 @@ bool Nearest::send(const DopuCycle& cycle, const DopuSets& sets, const Said& is)
   out_.set = static_cast<uint8_t>(send_set_);
   if (is.end_due) {
     out_.end = kWindowEndBeat;
+    out_.node = static_cast<uint32_t>(sets[out_.set].window);
     out_.last = sets[out_.set].last;
     since_ = 0, mark_ = 0, marks_ = 0;
   } else if (is.mark_due) {
     out_.end = kLayerEndBeat;
-    out_.mark = static_cast<uint32_t>(near_step_ + is.lowest) << mark_shift_;
+    out_.mark = x_part() != 0 ? static_cast<uint32_t>(is.lowest) : static_cast<uint32_t>(near_step_ + is.lowest) << mark_shift_;
     since_ = 0, mark_ = is.lowest, ++marks_;
   } else {
     const uint32_t number = is.load_popped ? queue_->node().number : held_[2].front().node.number;

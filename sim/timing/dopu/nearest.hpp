@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "cpp_model/config.hpp"
+#include "sim/timing/knobs.hpp"
 #include "sim/timing/dopu/dopu_item.hpp"
 #include "sim/timing/line_reader.hpp"
 #include "sim/timing/dopu/nearest_queue.hpp"
@@ -57,7 +58,11 @@ class Nearest {
   };
   struct Said;
 
-  bool dropped(const DopuSets& sets) const { return out_.end != kWindowEndBeat && sets[out_.set].done && !shown_; }
+  static bool closed(const RegionSet& box, const DopuSet& set) {
+    return x_occ() > 0 && set.valid && (box & set.open) == RegionSet{};
+  }
+  bool dropped(const DopuSets& sets) const {
+    if (out_.end == 0 && out_.chunk != nullptr && !shown_ && closed(out_.chunk->box, sets[out_.set])) return true; return out_.end != kWindowEndBeat && sets[out_.set].done && !shown_; }
   int list(int level, int set) const { return 2 * level + set; }
   Result child(int level, uint32_t node, bool last, const DopuSets& sets);
   Said look(const DopuCycle& cycle, const DopuSets& sets);

@@ -3,6 +3,7 @@
 #include "sim/timing/pu/color.hpp"
 
 #include <algorithm>
+#include "sim/timing/knobs.hpp"
 
 #include "sim/timing/machine.hpp"
 
@@ -18,7 +19,7 @@ Color::Color(const Machine& m, int lane)
       degree_(std::min(static_cast<int>(m.frame.tables.sh_degree), m.config.sh_degree)),
       last_step_(degree_ == 1   ? 1
                  : degree_ == 2 ? 3
-                                : 7),
+                                : x_cpace() - 1),
       tasks_(m.config.sh_degree != 0 ? Config::color_depth() : 2),
       flat_(m.config.sh_degree == 0) {}
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "sim/timing/cycle.hpp"
+#include "sim/timing/knobs.hpp"
 
 namespace pipegs::timing {
 
@@ -36,10 +37,10 @@ class Intersect {
       if (!empty || !out_free) return false;
       out.set(now + 1, beat);
     } else {
-      const int boxes = trace.boxes[beat];
+      const int boxes = (trace.boxes[beat] + x_tests() - 1) / x_tests();
       if (!placed_) {  // the box is made now
         placed_ = true;
-        place_at_ = now + (boxes == 0 ? 1 : 2);
+        place_at_ = now + (boxes == 0 ? 1 : x_tests() > 1 ? 1 : 2);  // a setup that is pipelined
       }
       if (now < place_at_ || (boxes != 0 && walking_)) return false;
       placed_ = false;

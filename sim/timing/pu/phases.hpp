@@ -17,6 +17,7 @@
 
 #include "cpp_model/pu/stages.hpp"
 #include "sim/timing/cycle.hpp"
+#include "sim/timing/knobs.hpp"
 
 namespace pipegs::timing {
 
@@ -29,6 +30,11 @@ class Phases {
       if (!row.built) continue;
       Stage& stage = stages_[static_cast<size_t>(count_++)];
       stage.begin = row.begin, stage.free = row.free, stage.length = row.result;
+      if (x_pace() < 8 && row.begin + row.free == 8) {
+        stage.begin = 1;
+        stage.free = x_pace() - 1;
+        stage.length = std::max(1, x_pace() - 2);
+      }
     }
   }
 

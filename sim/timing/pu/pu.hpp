@@ -15,6 +15,7 @@
 #include "sim/timing/line_reader.hpp"
 #include "sim/timing/pu/phases.hpp"
 #include "sim/timing/pu/rows.hpp"
+#include "sim/timing/knobs.hpp"
 
 namespace pipegs::timing {
 
@@ -112,6 +113,8 @@ class Pu {
   Output<Beat> tiles_;
 
   // pu_allocate, pu_late
+  size_t front_window_ = 0;
+  RegionSet shut_, open_ = ~RegionSet{};
   size_t window_ = 0;  // of the beats
   Allocate allocate_ = kTake;
   Cycle allocate_at_ = kLongAgo;

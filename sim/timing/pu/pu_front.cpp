@@ -92,8 +92,22 @@ void Pu::cull(Machine& m, Cycle now) {
 
 void Pu::reach(Machine& m, Cycle now) {
   const int self = unit(kReach, lane_);
-  const auto dropped = [&] { return !is_end(reach_.front()) && m.trace.dropped[reach_.front()] != 0; };
+  const auto dropped = [&] {
+    if (is_end(reach_.front())) return false;
+    if (m.trace.dropped[reach_.front()] != 0) return true;
+    if (x_occ() < 2 || reach_offered_) return false;
+    RegionSet shut;
+    for (const Ru& ru : m.ru) {
+      if (ru.window() == front_window_) shut |= ru.done();
+    }
+    if (x_bbox() != 0) {
+      if (!(shut == shut_)) shut_ = shut, open_ = around(m.config, ~shut, x_bbox());
+      return (m.trace.reach_box[reach_.front()] & open_) == RegionSet{};
+    }
+    return (m.trace.reach_box[reach_.front()] & ~shut) == RegionSet{};
+  };
   if (reach_offered_ ? !culled.valid : reach_.valid(now) && dropped()) {
+    if (reach_.front() == kWindowEndBeat) ++front_window_;
     reach_.pop(now);
     reach_offered_ = false;
     if (survivor_.valid) m.wheel.wake(self, now + 1);
@@ -157,7 +171,7 @@ void Pu::slot(Machine& m, Cycle now, SlotStage& stage, Output<Beat>& in, int giv
 void Pu::conic(Machine& m, Cycle now) {
   const bool there = phases_.out.valid;
   slot(m, now, conic_, phases_.out, unit(kProject, lane_), unit(kConic, lane_),
-       unit(lists_ || has_parts_ ? kExpand : kCoeff, lane_), 5, 3);
+       unit(lists_ || has_parts_ ? kExpand : kCoeff, lane_), x_pace() == 8 ? 5 : x_pace() == 4 ? 2 : 1, x_pace() == 8 ? 3 : x_pace() == 4 ? 2 : 1);
   if (!there || phases_.out.valid) return;
   if (phases_.taken(now)) m.wheel.wake(unit(kConic, lane_), phases_.out.from);
 }
@@ -165,7 +179,7 @@ void Pu::conic(Machine& m, Cycle now) {
 void Pu::coeff(Machine& m, Cycle now) {
   Output<Beat>& in = lists_ ? expand_.out : has_parts_ ? parts_.out : conic_.out;
   slot(m, now, coeff_, in, unit(lists_ || has_parts_ ? kExpand : kConic, lane_), unit(kCoeff, lane_),
-       unit(kIntersect, lane_), 3, 5);
+       unit(kIntersect, lane_), x_pace() == 8 ? 3 : x_pace() == 4 ? 2 : 1, x_pace() == 8 ? 5 : x_pace() == 4 ? 2 : 1);
 }
 
 // --- pu_intersect ----------------------------------------------------------------------------------------------------

@@ -4,6 +4,7 @@
 
 #include "cpp_model/ru/ru_quads.hpp"
 #include "sim/timing/machine.hpp"
+#include "sim/timing/knobs.hpp"
 
 namespace pipegs::timing {
 namespace {
@@ -42,7 +43,7 @@ void Live::step(Machine& m, Cycle now, int lane, bool job) {
   const int half = halves_ & 1 ? 0 : 1;
   const unsigned quads = pixels_ >> 8 * half & 0xff, wanted = in_first_row(quads) | in_second_row(quads);
   unsigned full = 0;
-  for (unsigned g = 0; g < kGroups; ++g) full |= unsigned{groups_[g].count == kHalves} << g;
+  for (unsigned g = 0; g < kGroups; ++g) full |= unsigned{groups_[g].count >= static_cast<unsigned>(x_halves())} << g;
   const bool fire = halves_ != 0 && (wanted & full) == 0, pixels_move = halves_ == 0 || (fire && halves_ != 3);
   const bool rows_move = rows_ == 0 || pixels_move;
   moved_ = regions_[3] == 0 || rows_move;
@@ -88,8 +89,8 @@ int Live::issue(Group& group, unsigned number) {
   const int row = 2 * half.half + (second ? 1 : 0);
   const int quad = kQuads * half.region + ru_quad(static_cast<int>(number), row);
   const auto same = static_cast<uint16_t>(quad);
-  if (same == static_cast<uint16_t>(group.recent) || same == static_cast<uint16_t>(group.recent >> 16) ||
-      same == static_cast<uint16_t>(group.recent >> 32))
+  if (x_nohazard() == 0 && (same == static_cast<uint16_t>(group.recent) || same == static_cast<uint16_t>(group.recent >> 16) ||
+      same == static_cast<uint16_t>(group.recent >> 32)))
     return -1;
   group.second = !second && (half.live & 2) != 0;
   if (!group.second) {

@@ -44,7 +44,7 @@ class Live {
   void pick(int region, uint16_t quads) { regions_[0] = kValid | static_cast<uint32_t>(region) << 16 | quads; }
 
  private:
-  static constexpr unsigned kGroups = Config::ru_groups(), kHalves = Config::ru_halves();
+  static constexpr unsigned kGroups = Config::ru_groups(), kHalves = 256;
 
   using Stage = uint32_t;  // a region, above its quads; 0: none
   static constexpr Stage kValid = Stage{1} << 31;

@@ -9,11 +9,12 @@
 #include "cpp_model/ru/ru_resolve.hpp"
 #include "cpp_model/ru/ru_walk.hpp"
 #include "sim/timing/machine.hpp"
+#include "sim/timing/knobs.hpp"
 
 namespace pipegs::timing {
 
 Ru::Ru(const Machine& m, int lane)
-    : queue(m.config.ru_queue()),
+    : queue(x_queue()),
       lane_(lane),
       port_(m.memory.raster_port(lane)),
       late_(!m.config.caches_alphas()),

@@ -43,7 +43,7 @@ void Merge::step(Machine& m, Cycle now) {
   }
   const bool ends = nearest < 0;
   // A watermark has done its work.
-  const bool mark = ends && m.config.has_watermarks() && m.su[0].head().splat.beat == kLayerEndBeat;
+  const bool mark = ends && m.config.has_watermarks() && m.su[0].head().splat.beat != kWindowEndBeat;
   for (int i = 0; i < m.units; ++i) {
     if (!ends && i != nearest) continue;
     Su& su = m.su[static_cast<size_t>(i)];

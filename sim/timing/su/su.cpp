@@ -145,7 +145,7 @@ Su::Now Su::look(const Machine& m, Cycle now) {
   }
   is.word_wanted = is.candidates != 0 && work_ == 0 && operation_ != kWord;
   is.quiet = is.candidates == 0 && work_ == 0 && operation_ == kNone;
-  is.link_ready = !split_links(now);
+  is.link_ready = !split_links(now) || x_link() != 0;
   is.released_room = chains_.room(now);
   if (operation_ == kInsert) {
     const uint32_t word = (insert_set_ << bits_high_) + (insert_bucket_ >> bits_low_);
@@ -210,7 +210,7 @@ void Su::collect(Machine& m, Cycle now, const Now& is) {
     m.peak_records = std::max(m.peak_records, static_cast<uint64_t>(used_));
   }
   const Collect before = collect_;
-  const bool all = is.in != nullptr && (!marks_cut_ || is.in->beat == kWindowEndBeat);
+  const bool all = is.in != nullptr && (!marks_cut_ || is.in->beat != kLayerEndBeat);
   switch (collect_) {
     case kCollect:
       if (is.spill_start) collect_ = kSpill;
@@ -224,7 +224,7 @@ void Su::collect(Machine& m, Cycle now, const Now& is) {
   }
   if (is.mark_push) {
     const uint8_t set = set_;
-    const uint32_t bucket = all ? 0 : static_cast<uint32_t>(su_bucket(config_, in_.front().mark, octave_));
+    const uint32_t bucket = all ? 0 : x_part() != 0 ? in_.front().mark : static_cast<uint32_t>(su_bucket(config_, in_.front().mark, octave_));
     marks_.push(now, {is.in->beat, set, all, before == kSpill, bucket});
     if (all && before == kCollect) closed_[set] = true, set_ ^= 1;
   }

@@ -18,6 +18,7 @@
 #include "cpp_model/fixed.hpp"
 #include "cpp_model/su/su.hpp"
 #include "sim/timing/cycle.hpp"
+#include "sim/timing/knobs.hpp"
 #include "sim/timing/ru/ru.hpp"
 
 namespace pipegs::timing {
@@ -154,6 +155,10 @@ class Su {
   bool slot_valid(Cycle now) const;
   bool split_links(Cycle now);
   uint32_t bucket_of(uint64_t key) const {
+    if (x_part() != 0) {
+      const auto b = static_cast<uint32_t>(su_bucket(config_, key >> 24 & 0xffffff, octave_));
+      return key >> 62 != 0 ? static_cast<uint32_t>(key >> 48 & 3) << (config_.bucket_w() - 2) | b >> 2 : b;
+    }
     return static_cast<uint32_t>(su_bucket(config_, key >> (config_.key_w() - config_.depth_w), octave_));
   }
   bool open() const { return spill_ == kClose || spill_ == kSend; }  // the pool is empty

@@ -126,7 +126,15 @@ void Su::sort(Cycle now, const Now& is) {
       for (uint32_t i = 0; i < chain.count; ++i, slot = next_slot_[slot]) order_.push_back({pool_[slot], slot, false});
       const auto [nearest, farthest] = su_bucket_range(config_, chain.bucket, octave_);
       const int below = config_.key_w() - config_.depth_w;
-      begin_split(now, nearest << below, ((farthest + 1) << below) - 1);
+      if (x_part() != 0) {
+        const bool by = (order_.empty() ? pool_[chain.head].key : order_.front().item.key) >> 62 != 0;
+        const uint64_t quarter = (uint64_t{1} << (config_.bucket_w() - 2)) - 1;
+        const uint64_t part = by ? uint64_t{1} << 62 | static_cast<uint64_t>(chain.bucket >> (config_.bucket_w() - 2)) << 48 : 0;
+        const auto low = by ? su_bucket_range(config_, (chain.bucket & quarter) << 2, octave_) : su_bucket_range(config_, chain.bucket, octave_);
+        const auto high = by ? su_bucket_range(config_, ((chain.bucket & quarter) << 2) + 3, octave_) : low;
+        begin_split(now, part | low.first << 24, (part | (high.second + 1) << 24) - 1);
+      } else
+        begin_split(now, nearest << below, ((farthest + 1) << below) - 1);
       chains_.pop(now);
       moved_ = true;
     }

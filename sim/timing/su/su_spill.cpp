@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // su_spill.cpp: a set of a Sorting Unit that goes to memory and comes back: see su.hpp.
 #include <algorithm>
+#include "sim/timing/knobs.hpp"
 
 #include "sim/timing/machine.hpp"
 
@@ -8,14 +9,14 @@ namespace pipegs::timing {
 // --- su_port ---------------------------------------------------------------------------------------------------------
 
 uint64_t Su::overflow_line(const Machine& m, Area area, uint64_t line) const {
-  return m.overflow.first + area_first(m.config, m.overflow.lines, static_cast<uint64_t>(lane_), area) + line;
+  return m.overflow.first + area_first(m.config, m.overflow.lines, static_cast<uint64_t>(lane_), area) + line + static_cast<uint64_t>(lane_ * x_gap());
 }
 
 void Su::port(Machine& m, Cycle now) {
   record_taken_ = keys_taken_ = run_taken_ = fetch_taken_ = read_taken_ = false;
   if (spill_ == kSpillIdle && collect_ != kSpill && choice_ == kNothing && awaited_ == 0) return;
   const bool shown = shown_record(now) != kNoRecord, listed = keys_listed(shown);
-  const bool writes = behind_ == 0;
+  const bool writes = behind_ == 0 || x_nobehind() != 0;
   if (m.memory.answered(port_)) {
     answers_.push(now, 0);
     --awaited_;

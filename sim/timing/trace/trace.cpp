@@ -3,19 +3,31 @@
 #include "sim/timing/trace/trace.hpp"
 
 #include <algorithm>
+#include <cstdio>
+#include <bit>
+#include <cmath>
+#include <optional>
 
 #include "cpp_model/dopu/dopu.hpp"
 #include "cpp_model/dopu/nearest/dopu_depth.hpp"
 #include "cpp_model/float/parallel.hpp"
 #include "cpp_model/pu/pu_parts.hpp"
 #include "sim/timing/trace/trace_splat.hpp"
+#include "sim/timing/knobs.hpp"
+#include "cpp_model/pu/front/pu_cull.hpp"
+#include "cpp_model/pu/front/pu_reach.hpp"
+#include "cpp_model/pu/conic/pu_coeff.hpp"
+#include "cpp_model/pu/conic/pu_intersect.hpp"
+#include "cpp_model/su/su.hpp"
 
 namespace pipegs {
 namespace {
 
 // A window's part of the trace before the parts are joined.
 struct Part {
+  std::vector<TimingWalk> walks;
   TimingWalk walk;
+  std::vector<RegionSet> reach_box;
   TimingWindow window;
   std::vector<TimingChunk> chunks;
   std::vector<uint64_t> mask, key;
@@ -47,7 +59,15 @@ class WindowTrace {
         planes_(dopu_planes(config_, frame_, x, y)) {}
 
   Part run() {
-    config_.has_watermarks() ? ranked() : slabs();
+    if (config_.has_watermarks()) {
+      layers_.emplace_back();
+      plan();
+    } else {
+      slabs();
+      part_.walk.rect = ~RegionSet{};
+      part_.walk.chunks = part_.chunks.size();
+      part_.walks.push_back(std::move(part_.walk));
+    }
     part_.window = trace_window(input_, rows_, static_cast<uint64_t>(x_), static_cast<uint64_t>(y_), layers_);
     return std::move(part_);
   }
@@ -59,6 +79,13 @@ class WindowTrace {
     return dopu_test(config_, frame_, planes_, node, step);
   }
   int bucket(const Node& node, int parent) const { return dopu_depth(config_, frame_, planes_, node, parent); }
+  bool by_part_ = false;
+  uint16_t placed(const RegionSet& box, int bucket) const {  // part before depth
+    if (!by_part_) return static_cast<uint16_t>(bucket);
+    int part = 0;
+    while (part < 3 && box.mask[static_cast<size_t>(part)] == 0) ++part;
+    return static_cast<uint16_t>(part << (config_.bucket_w() - 2) | bucket >> 2);
+  }
 
   // Slab by slab.
   void slabs() {
@@ -83,58 +110,205 @@ class WindowTrace {
     }
   }
 
+  uint64_t count(const Planes& planes) const {  // Gaussians of the chunks that pass
+    uint64_t sum = 0;
+    for (const Node& cell : packed_.cells) {
+      if (cell.count == 0 || !dopu_test(config_, frame_, planes, cell, dopu_depth_edge(config_, frame_, 0))) continue;
+      const int cb = dopu_depth(config_, frame_, planes, cell, 0);
+      for (uint64_t g = cell.first; g < cell.first + cell.count; ++g) {
+        const Node& group = packed_.groups[g];
+        if (!dopu_test(config_, frame_, planes, group, dopu_depth_edge(config_, frame_, cb))) continue;
+        sum += group.count * static_cast<uint64_t>(config_.chunk);
+      }
+    }
+    return sum;
+  }
+  void sub(int side, int sx, int sy, int part, RegionSet rect) {
+    side_ = side, sx_ = sx, sy_ = sy;
+    rect_ = rect;
+    sub_ = config_;
+    sub_.window = side;
+    planes_ = dopu_planes(sub_, frame_, sx, sy);
+    part_.walk = {};
+    part_.walk.first_chunk = part_.chunks.size();
+    part_.walk.part = part;
+    part_.walk.rect = rect;
+    part_.walk.last = false;
+    ranked();
+    part_.walk.chunks = part_.chunks.size() - part_.walk.first_chunk;
+    part_.walks.push_back(std::move(part_.walk));
+  }
+  void plan() {
+    const auto width = static_cast<int>(frame_.raster.width), height = static_cast<int>(frame_.raster.height);
+    if (x_part() != 0) {
+      by_part_ = count(planes_) > static_cast<uint64_t>(x_split());
+      sub(config_.window, x_, y_, -1, ~RegionSet{});
+      part_.walks.back().by_part = by_part_;
+    } else if (config_.window == 128 && count(planes_) > static_cast<uint64_t>(x_split())) {
+      for (int p = 0; p < 4; ++p) {
+        const int px = 2 * x_ + (p & 1), py = 2 * y_ + (p >> 1);
+        if (px * 64 >= width || py * 64 >= height) continue;
+        Config c64 = config_;
+        c64.window = 64;
+        RegionSet whole;
+        whole.mask[static_cast<size_t>(p)] = ~uint64_t{0};
+        if (count(dopu_planes(c64, frame_, px, py)) > static_cast<uint64_t>(x_split2())) {
+          for (int q = 0; q < 4; ++q) {
+            const int qx = 2 * px + (q & 1), qy = 2 * py + (q >> 1);
+            if (qx * 32 >= width || qy * 32 >= height) continue;
+            RegionSet rect;
+            for (int y = 0; y < 4; ++y)
+              rect.mask[static_cast<size_t>(p)] |= uint64_t{0xf} << (8 * (4 * (q >> 1) + y) + 4 * (q & 1));
+            sub(32, qx, qy, p, rect);
+          }
+        } else {
+          sub(64, px, py, p, whole);
+        }
+      }
+    } else {
+      sub(config_.window, x_, y_, -1, ~RegionSet{});
+    }
+    part_.walks.back().last = true;
+  }
+
   // In the order of the tables, with buckets of depth.
   void ranked() {
-    layers_.emplace_back();
     for (uint64_t number = 0; number < packed_.cells.size(); ++number) {
       const Node& cell = packed_.cells[number];
       if (cell.count == 0 || !passes(cell, 0)) continue;
       const int cell_bucket = bucket(cell, 0);
       part_.walk.cells_ranked.push_back({static_cast<uint32_t>(number),
                                          static_cast<uint32_t>(part_.walk.groups_ranked.size()),
-                                         static_cast<uint16_t>(cell_bucket)});
+                                         placed(~RegionSet{}, cell_bucket), ~RegionSet{}});
       for (uint64_t g = cell.first; g < cell.first + cell.count; ++g) {
         const Node& group = packed_.groups[g];
         if (!passes(group, cell_bucket)) continue;
         const int group_bucket = bucket(group, cell_bucket);
         part_.walk.groups_ranked.push_back({static_cast<uint32_t>(g), static_cast<uint32_t>(part_.chunks.size()),
-                                            static_cast<uint16_t>(group_bucket)});
+                                            static_cast<uint16_t>(group_bucket), {}});
+        const size_t at = part_.chunks.size();
         chunks(group, group_bucket);
+        for (size_t i = at; i < part_.chunks.size(); ++i) part_.walk.groups_ranked.back().box |= part_.chunks[i].box;
+        part_.walk.groups_ranked.back().bucket = placed(part_.walk.groups_ranked.back().box, group_bucket);
+        for (size_t i = at; i < part_.chunks.size(); ++i)
+          part_.chunks[i].bucket = std::max(placed(part_.chunks[i].box, part_.chunks[i].bucket), part_.walk.groups_ranked.back().bucket);
+        part_.walk.groups_ranked.back().box = rectangle(part_.walk.groups_ranked.back().box, x_grow());
       }
     }
   }
 
+  // The rectangle around regions, `grow` larger on each side.
+  RegionSet rectangle(const RegionSet& of, int grow) const {
+    int x0 = 99, x1 = -1, y0 = 99, y1 = -1;
+    for (int r = 0; r < config_.regions(); ++r) {
+      if (!of.has(config_, r)) continue;
+      x0 = std::min(x0, region_x(config_, r)), x1 = std::max(x1, region_x(config_, r));
+      y0 = std::min(y0, region_y(config_, r)), y1 = std::max(y1, region_y(config_, r));
+    }
+    RegionSet result;
+    if (x1 < 0) return result;
+    const int most = config_.window / 8 - 1;
+    for (int y = std::max(0, y0 - grow); y <= std::min(most, y1 + grow); ++y)
+      for (int x = std::max(0, x0 - grow); x <= std::min(most, x1 + grow); ++x) result.add(config_, region_at(config_, x, y));
+    return result;
+  }
+  // Regions that the ball of a Gaussian's largest scale may touch.
+  RegionSet ball(const Chunk& chunk, uint64_t slot) const {
+    const GaussianRecord& g = packed_.gaussians[slot];
+    const Fetched f = golden_fetched(chunk, g, slot);
+    const double unit = std::ldexp(1.0, static_cast<int>(f.view_exp)), ou = std::ldexp(1.0, static_cast<int>(f.offset_exp)), rf = std::ldexp(1.0, -config_.rot_f());
+    const Rotation& r = frame_.camera.rotation;
+    const double ox = double(f.offset_x) * ou, oy = double(f.offset_y) * ou, oz = double(f.offset_z) * ou;
+    const double x = double(f.origin_x) * unit + rf * (double(r.w00) * ox + double(r.w01) * oy + double(r.w02) * oz);
+    const double y = double(f.origin_y) * unit + rf * (double(r.w10) * ox + double(r.w11) * oy + double(r.w12) * oz);
+    const double z = double(f.origin_z) * unit + rf * (double(r.w20) * ox + double(r.w21) * oy + double(r.w22) * oz);
+    RegionSet all = ~RegionSet{};
+    if (z < double(frame_.lens.near_plane)) return all;
+    double s = 0;
+    for (const uint64_t e : {g.scale_0, g.scale_1, g.scale_2}) {
+      const int ex = static_cast<int>(e >> config_.scale_m_w);
+      if (ex == 0) continue;
+      s = std::max(s, (1 + double(e & ((1u << config_.scale_m_w) - 1)) / double(1u << config_.scale_m_w)) * std::ldexp(1.0, ex - 8));
+    }
+    const double op = double(g.opacity) / double(1 << config_.opacity_f);
+    const double w = std::sqrt(std::max(0.0, (std::log2(255.0) - op) / std::log2(255.0)));
+    const double fx = double(frame_.lens.focal_x) / double(1 << config_.focal_f()), cx = double(frame_.lens.center_x) / double(1 << config_.center_f());
+    const double fy = double(frame_.lens.focal_y) / double(1 << config_.focal_f()), cy = double(frame_.lens.center_y) / double(1 << config_.center_f());
+    const double reach = double(frame_.lens.reach_x) / 16384.0 * s * w / z + 2;
+    const double px = fx * x / z + cx - x_ * config_.window, py = fy * y / z + cy - y_ * config_.window;
+    const int x0 = static_cast<int>(std::floor(std::max(-1e6, px - reach) / 8)), x1 = static_cast<int>(std::floor(std::min(1e6, px + reach) / 8));
+    const int y0 = static_cast<int>(std::floor(std::max(-1e6, py - reach) / 8)), y1 = static_cast<int>(std::floor(std::min(1e6, py + reach) / 8));
+    RegionSet result;
+    const int most = config_.window / 8 - 1;
+    for (int yy = std::max(0, y0); yy <= std::min(most, y1); ++yy)
+      for (int xx = std::max(0, x0); xx <= std::min(most, x1); ++xx) result.add(config_, region_at(config_, xx, yy));
+    return result;
+  }
+  std::optional<GoldenConic> conic_of(const Chunk& chunk, uint64_t slot, bool* late) const {
+    Gap gap;
+    std::optional<Visible> visible =
+        pu_cull(sub_, frame_, golden_fetched(chunk, packed_.gaussians[slot], slot), nullptr, &gap);
+    if (!visible) return std::nullopt;
+    *late = config_.tight_cull && !pu_reach(sub_, frame_, *visible, gap);
+    if (*late) return std::nullopt;
+    visible->window_x = static_cast<uint64_t>(x_), visible->window_y = static_cast<uint64_t>(y_);
+    return golden_conic(config_, frame_, *visible);
+  }
   void chunks(const Node& group, int group_bucket) {
     for (uint64_t i = group.first; i < group.first + group.count; ++i) {
       const Node& node = packed_.chunks[i];
       if (!passes(node, group_bucket)) continue;
       const int own_bucket = config_.has_watermarks() ? bucket(node, group_bucket) : 0;
-      const Chunk chunk = dopu_origin(config_, frame_, node, x_, y_);
+      const Chunk chunk = dopu_origin(config_, frame_, node, sx_, sy_);
       TimingChunk sent{static_cast<uint32_t>(i), static_cast<uint32_t>(part_.slot.size()), 0,
-                       static_cast<uint16_t>(own_bucket)};
+                       static_cast<uint16_t>(own_bucket), {}, static_cast<uint32_t>(chunk.count)};
       for (uint64_t k = 0; k < chunk.count; ++k) {
+        sent.box |= ball(chunk, chunk.slot + k);
         bool dropped = false;
-        const std::optional<GoldenConic> found = trace_conic(input_, chunk, chunk.slot + k, &dropped);
+        const std::optional<GoldenConic> found = config_.has_watermarks() ? conic_of(chunk, chunk.slot + k, &dropped) : trace_conic(input_, chunk, chunk.slot + k, &dropped);
         if (!found && !dropped) continue;
         sent.survivors |= uint64_t{1} << k;
         part_.slot.push_back(static_cast<uint32_t>(chunk.slot + k));
         part_.dropped.push_back(dropped);
+        part_.reach_box.emplace_back();
         if (dropped) {
           no_pair();
           continue;
         }
         const std::vector<PuPart> parts = pu_parts(config_, found->conic);
-        part_.pairs.push_back(static_cast<uint32_t>(parts.size()));
+        uint32_t number = 0;
+        RegionSet box;
         for (const PuPart& one : parts) {
-          const TracePair pair = trace_pair(input_, one.conic, found->payload, one.part);
+          if (rect_.mask[one.part] == 0) continue;
+          ++number;
+          TracePair pair = trace_pair(input_, one.conic, found->payload, one.part);
+          if (~rect_.mask[one.part] != 0) {
+            pair.splat.mask &= rect_.mask[one.part];
+            if (pair.boxes != 0)
+              pair.boxes = static_cast<uint8_t>(std::max(1, std::min<int>(pair.boxes, (std::popcount(pair.splat.mask) + 2) / 2)));
+          }
+          box.mask[one.part] |= pair.splat.mask;
           part_.mask.push_back(pair.splat.mask);
+          if (x_part() != 0) {
+            const uint64_t low = pair.splat.key >> 2;
+            if (by_part_) {
+              pair.splat.key = uint64_t{one.part} << 48 | low;
+            } else {
+              pair.splat.key = low;
+            }
+            if (by_part_) pair.splat.key |= uint64_t{1} << 62;
+          }
           part_.key.push_back(pair.splat.key);
           part_.boxes.push_back(pair.boxes);
           part_.part.push_back(static_cast<uint16_t>(one.part));
           trace_quads(rows_, pair.splat, part_.quads, part_.quads_first);
           if (pair.splat.mask != 0) layers_.back().push_back(pair.splat);
         }
+        part_.pairs.push_back(number);
+        box = rectangle(box, 0);
+        part_.reach_box.back() = box;
       }
+      sent.box = rectangle(sent.box, x_grow());
       part_.chunks.push_back(sent);
     }
   }
@@ -156,7 +330,10 @@ class WindowTrace {
   const Frame& frame_;
   const PuRows& rows_;
   const int x_, y_;
-  const Planes planes_;
+  Planes planes_;
+  Config sub_ = config_;
+  int side_ = 0, sx_ = x_, sy_ = y_;
+  RegionSet rect_ = ~RegionSet{};
   Part part_;
   std::vector<std::vector<TraceSplat>> layers_;
 };
@@ -175,9 +352,13 @@ void trace_windows(const GoldenInput& input, unsigned threads, TimingTrace& trac
     const auto base = static_cast<uint32_t>(trace.slot.size()),
                chunks = static_cast<uint32_t>(trace.chunks_sent.size()),
                quads = static_cast<uint32_t>(trace.quads.size());
-    part.walk.first_chunk = chunks;
-    part.walk.chunks = part.chunks.size();
-    for (TimingParent& group : part.walk.groups_ranked) group.first += chunks;
+    for (TimingWalk& walk : part.walks) {
+      walk.first_chunk += chunks;
+      walk.window = trace.windows.size();
+      for (TimingParent& group : walk.groups_ranked) group.first += chunks;
+      trace.walks.push_back(std::move(walk));
+    }
+    trace.reach_box.insert(trace.reach_box.end(), part.reach_box.begin(), part.reach_box.end());
     for (TimingChunk chunk : part.chunks) {
       chunk.first += base;
       trace.chunks_sent.push_back(chunk);
@@ -198,11 +379,24 @@ void trace_windows(const GoldenInput& input, unsigned threads, TimingTrace& trac
     trace.boxes.insert(trace.boxes.end(), part.boxes.begin(), part.boxes.end());
     for (const uint32_t first : part.quads_first) trace.quads_first.push_back(quads + first);
     trace.quads.insert(trace.quads.end(), part.quads.begin(), part.quads.end());
-    trace.walks.push_back(std::move(part.walk));
     trace.windows.push_back(std::move(part.window));
     part = {};
   }
   if (trace.config.parts() > 1) trace.pairs.push_back(static_cast<uint32_t>(trace.mask.size()));
+  if (x_stat() != 0) {
+    uint64_t boxes = 0, b3 = 0, b4 = 0, regions = 0, records = 0, dropped = 0, hist[6] = {}, gaussians = 0, split = 0, half = 0;
+    for (const uint8_t d : trace.dropped) dropped += d;
+    for (size_t i = 0; i < trace.mask.size(); ++i) {
+      const uint64_t b = trace.boxes[i];
+      boxes += b, b3 += std::max<uint64_t>(3, b), b4 += std::max<uint64_t>(4, b), half += std::max<uint64_t>(4, (b + 1) / 2);
+      regions += static_cast<uint64_t>(std::popcount(trace.mask[i]));
+      records += trace.mask[i] != 0;
+      ++hist[b == 0 ? 0 : b <= 2 ? 1 : b <= 4 ? 2 : b <= 8 ? 3 : b <= 16 ? 4 : 5];
+    }
+    for (const TimingChunk& c : trace.chunks_sent) gaussians += c.gaussians;
+    for (const TimingWalk& w : trace.walks) split += !w.last || w.part >= 0;
+    fprintf(stderr, "walks %zu (split %zu) chunks %zu fetched %zu survivors %zu dropped by reach %zu pairs %zu records %zu regions %zu boxes/4 %zu max3/4 %zu max4/4 %zu half4/4 %zu hist %zu %zu %zu %zu %zu %zu\n", trace.walks.size(), split, trace.chunks_sent.size(), gaussians, trace.slot.size(), dropped, trace.mask.size(), records, regions, boxes / 4, b3 / 4, b4 / 4, half / 4, hist[0], hist[1], hist[2], hist[3], hist[4], hist[5]);
+  }
 }
 
 }  // namespace

@@ -33,6 +33,8 @@ struct TimingChunk {
   uint32_t first = 0;      // its first survivor
   uint64_t survivors = 0;  // which of its Gaussians pu_cull keeps
   uint16_t bucket = 0;     // of depth, order 2
+  RegionSet box;
+  uint32_t gaussians = 0;
 };
 
 // A cell or group that passes, with order 2; in the order of the table.
@@ -40,10 +42,16 @@ struct TimingParent {
   uint32_t node = 0;
   uint32_t first = 0;  // the first of its children that pass: of TimingWalk::groups_ranked, or of chunks_sent
   uint16_t bucket = 0;
+  RegionSet box;
 };
 
 // The DOPU's walk for a window, or with lists for the frame.
 struct TimingWalk {
+  size_t window = 0;
+  int part = -1;  // of the window, -1: all
+  RegionSet rect;
+  bool last = true;  // of its window
+  bool by_part = false;
   size_t first_chunk = 0, chunks = 0;                     // of TimingTrace::chunks_sent
   std::vector<uint64_t> cells, groups;                    // bits of the nodes that pass, by node; orders 0 and 1
   std::vector<TimingParent> cells_ranked, groups_ranked;  // order 2
@@ -71,6 +79,7 @@ struct TimingTrace {
   // By survivor of a cull.
   std::vector<uint32_t> slot;    // in packed memory
   std::vector<uint32_t> pairs;   // parts, lists: its first pair; one more entry at the end
+  std::vector<RegionSet> reach_box;  // by survivor
   std::vector<uint8_t> dropped;  // TightCull: by pu_reach; its pair, if it has one, is never asked for
   // By pair.
   std::vector<uint64_t> mask, key;  // regions of the part; sort key
