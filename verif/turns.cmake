@@ -25,16 +25,12 @@ function(pipegs_turn out)
   set(${out} ${now} PARENT_SCOPE)
 endfunction()
 
-# pipegs_take_turns(NAME [TARGETS target ...] [TESTS test ...]): these tests (without TESTS the test NAME), and the
-# programs that they run, take one turn.
-function(pipegs_take_turns name)
+# pipegs_long(NAME [TARGETS target ...] [TESTS test ...]): these tests (without TESTS the test NAME) are long ones, and
+# another builds the programs that they run.
+function(pipegs_long name)
   cmake_parse_arguments(ARG "" "" "TARGETS;TESTS" ${ARGN})
   if(NOT ARG_TESTS)
     set(ARG_TESTS ${name})
-  endif()
-  pipegs_turn(now)
-  if(now)
-    return()
   endif()
   set_tests_properties(${ARG_TESTS} PROPERTIES LABELS long)
   if(NOT ARG_TARGETS)
@@ -44,4 +40,13 @@ function(pipegs_take_turns name)
   add_test(NAME ${name}_build COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR} --target ${ARG_TARGETS})
   set_tests_properties(${name}_build PROPERTIES LABELS long FIXTURES_SETUP ${name}_built RESOURCE_LOCK build)
   set_tests_properties(${ARG_TESTS} PROPERTIES FIXTURES_REQUIRED ${name}_built)
+endfunction()
+
+# pipegs_take_turns(NAME [TARGETS target ...] [TESTS test ...]): these tests, and the programs that they run, take one
+# turn; on other days they are long ones.
+function(pipegs_take_turns name)
+  pipegs_turn(now)
+  if(NOT now)
+    pipegs_long(${name} ${ARGN})
+  endif()
 endfunction()

@@ -14,15 +14,15 @@ foreach(level 0 1)
                             ${CMAKE_SOURCE_DIR}/verif/support/bench.hpp)
 endforeach()
 
-# pipegs_unit_test(NAME MODULE module [SOURCE file] [RTL_ONLY] [OPTIMISED] [SET key=value ...]
+# pipegs_unit_test(NAME MODULE module [SOURCE file] [RTL_ONLY] [OPTIMISED] [LONG] [SET key=value ...]
 # [PARAMETERS Name=value ...] [CHECKERS file ...]): a GoogleTest of one module against its bit-accurate model.
 # PARAMETERS are the module's own, CHECKERS are SystemVerilog files read with it. OPTIMISED compiles with -O1 a test
 # that runs for long. The test sees the configuration as PIPEGS_SET, a string for pipegs::test_config().
 # NAME_waves_test, which only a replay builds, is the same test with waves. In the default configuration, with the
 # module's own parameters, it is a test of the netlist too, unless RTL_ONLY says that there is none. In another
-# configuration the test of another one (SOURCE) takes turns.
+# configuration the test of another one (SOURCE) takes turns; with LONG it is a long test.
 function(pipegs_unit_test name)
-  cmake_parse_arguments(ARG "RTL_ONLY;OPTIMISED" "MODULE;SOURCE" "SET;PARAMETERS;CHECKERS" ${ARGN})
+  cmake_parse_arguments(ARG "RTL_ONLY;OPTIMISED;LONG" "MODULE;SOURCE" "SET;PARAMETERS;CHECKERS" ${ARGN})
   set(again ${ARG_SOURCE})
   if(NOT ARG_SOURCE)
     set(ARG_SOURCE ${name}_test.cpp)
@@ -50,7 +50,9 @@ function(pipegs_unit_test name)
   if(NOT ARG_SET AND NOT ARG_PARAMETERS AND NOT ARG_RTL_ONLY)
     pipegs_netlist_test(${name} MODULE ${ARG_MODULE} SOURCE ${ARG_SOURCE})
   endif()
-  if(again AND (ARG_SET OR ARG_PARAMETERS))
+  if(ARG_LONG)
+    pipegs_long(${name} TARGETS ${name}_test)
+  elseif(again AND (ARG_SET OR ARG_PARAMETERS))
     pipegs_take_turns(${name} TARGETS ${name}_test)
   endif()
 endfunction()

@@ -31,6 +31,10 @@ mutant dopu_descend "a chunk that is shown is taken back when its window is done
 mutant pu_fetch "an end carries a slot" "s/(fetched_o\.slot *= )is_data \? slot : '0/\1slot/"
 mutant pipegs_line_reader "the last line of a chunk is kept when it is half full" 's/\(last \|\| line_end\)/line_end/' \
        pu_fetch
+mutant dopu_cells "both cells of a line are its first one" "s/(item_half_q <= )cell_i\[0\]/\11'b0/" dopu
+mutant dopu_cells "the last slab but one ends the window" 's/layer_q == LastLayer/layer_q == LastLayer - 1'"'"'b1/' dopu
+mutant dopu_memory "the first line of an answer is all of it" 's/(answer) && come_q == lines\)/\1)/' dopu
+mutant dopu_memory "groups are taken for chunks" "s/group \? 3'b010 : 3'b001/3'b001/" dopu
 
 # --- rtl/dopu, nearest first ------------------------------------------------------------------------------------------
 group nearest "DOPU, nearest chunk first (\`order = 2\`)"
@@ -152,6 +156,14 @@ mutant pu_deal "the turn goes on while nothing is dealt" \
 mutant pu_regions "a Gaussian that dies leaves its payload in the queue" 's/(out_ready_i.)drop \|\| go/\1go/'
 mutant pu_payload "whoever leaves shows the first word" "s/head_q == Last \? '0 : head_q \+ 1'b1/head_q/" pu_regions
 mutant pu_turns "the output takes what is not inside" 's/(leave_o *= move_o) \&\& inside_q/\1/' pu_conic
+mutant pu_step "the gradient grows by half of a step to the right" \
+       's/(d_i\) <<< )\(RightW \+ 1\)/\1RightW/' pu_intersect
+mutant pu_step "a row of regions begins where the row before did" \
+       's/(power_row_q <= )power_next/\1power_row_q/' pu_intersect
+mutant pu_alpha "what was clamped is kept for the pixel behind" 's/if \(enable_clamp_i\)/if (enable_exp_i)/' pu_rows
+mutant pu_power "without the twist" 's/ \+ twist_q \* x \* Y;/;/' pu_rows_quadratic
+mutant pu_power "the first pixels of a row come again" 's/(column_q <= )column_q \+ .*;/\1column_q;/' pu_rows_quadratic
+mutant pu_done "what is done in the window above is done" 's/ && progress\.y\[j\] == window_y//' pu_allocate
 
 # --- rtl/pu: colour ---------------------------------------------------------------------------------------------------
 group color "PU: colour"
@@ -203,6 +215,13 @@ mutant su_port "a line behind its area is asked for" 's/\(line_q\) >= (pipegs_pk
 mutant su_port "goes on behind a line that has no room" 's/(choice_q != None) && !full_o/\1/' su
 mutant su_port "asks for lines without room" 's/read_valid_i && room/read_valid_i/' su
 mutant su_port "a line is written while a record is being read" "s/(writes = )behind_q == '0/\11'b1/" su_marks_tiny
+mutant su_buckets "the bucket of the mark leaves too" "s/(LowW'\(i\)) < job_low/\1 <= job_low/" su_marks
+mutant su_buckets "a word of buckets that was given up comes back" "s/(with_bucket = )held \? word : '0/\1word/" su
+mutant su_gather "a full pool spills nothing" "s/(\.full_i)\(.*\),/\1(1'b0),/" su_tiny
+mutant su_sort "an end overtakes the keys before it" 's/(end_go *= chain_valid_i && is_end) && split_idle_o/\1/' su
+mutant su_overflow "a line of keys is shown as a record, too" 's/(line_valid_o = line_shown) && !line_fetch/\1/' su_tiny
+mutant su_external "a run is as long when it is merged as its groups were" \
+       "s/forms \? (SlotW'\(group_count_o\)) : merge_keys/\1/" su_tiny
 
 # --- rtl/ru -----------------------------------------------------------------------------------------------------------
 group ru "RU"
@@ -244,6 +263,7 @@ mutant ru_pixels "raster order: A is 0" "s/(bytes\.of\[4\*i\+3\] = )'1/\1'0/" ru
 mutant ru_byte "the second third of the codes begins one late" "s/10'd343/10'd344/"
 mutant ru_unorm "a half is rounded down" "s/(WideW'\(1\) << \(Fraction - 1\))/(\1) - 1'b1/" ru_unorm_byte_16
 mutant ru_whole "buffers swap at a layer's end" 's/swap_i\(window_done_o\)/swap_i(layer_done_o)/' ru
+mutant ru_source "asleep while lines are fetched" 's/walk_idle && fetch_idle/walk_idle/' ru
 
 # --- rtl/ru/live ------------------------------------------------------------------------------------------------------
 group quads "RU that blends living quads (\`quads = 1\`)"
@@ -294,6 +314,9 @@ mutant pipegs_memory_arbiter "bursts of geometry follow each other at once" "s/(
 mutant pipegs_memory_arbiter "geometry goes before the colours" 's/(second +=) .*/\1 others;/'
 mutant pipegs_memory_arbiter "an answer goes to two ports: the lowest bit of the tag is ignored" \
        's/(mem_rsp_tag_i) == ([a-z_:]*TagW.\(i\))/\1 >> 1 == \2 >> 1/'
+mutant pipegs_round_robin "after the last one nobody has a turn" \
+       "s/behind != '0 \? first_behind : first/first_behind/" pu_deal
+mutant pipegs_round_robin "always the first one's turn" "s/behind != '0 \? first_behind : first/first/" dopu
 
 # --- rtl/control ------------------------------------------------------------------------------------------------------
 group control "Control: registers"
@@ -456,25 +479,44 @@ mutant pipegs_scheduler "the RUs are heard while they finish the frame before" '
 
 # --- what units say that they do --------------------------------------------------------------------------------------
 group states "States of the units (\`perf_o\`), against what stands at their borders"
-mutant dopu_activity "busy reads as starved" 's/(moved_i \? pipegs_pkg::)PerfBusy/\1PerfStarved/' machine_states
-mutant dopu_activity "busy reads as blocked" 's/(moved_i \? pipegs_pkg::)PerfBusy/\1PerfBlocked/' machine_states
+mutant dopu_activity "busy reads as starved" 's/(moved_i \? pipegs_pkg::)PerfBusy/\1PerfStarved/' machine_live
+mutant dopu_activity "busy reads as blocked" 's/(moved_i \? pipegs_pkg::)PerfBusy/\1PerfBlocked/' machine_live
 mutant dopu_activity "starved and blocked change places" \
-       's/Blocked( : pipegs_pkg::Perf)Starved/Starved\1Blocked/' machine_states
-mutant pu_state "busy reads as starved" 's/(front_i\) state_o = pipegs_pkg::)PerfBusy/\1PerfStarved/' machine_states
-mutant pu_state "busy reads as blocked" 's/(front_i\) state_o = pipegs_pkg::)PerfBusy/\1PerfBlocked/' machine_states
-mutant pu_state "starved reads as blocked" 's/(else state_o = pipegs_pkg::)PerfStarved/\1PerfBlocked/' machine_states
-mutant pipegs_su "busy reads as starved" 's/(moves\) perf_o = pipegs_pkg::)PerfBusy/\1PerfStarved/' machine_states
-mutant pipegs_su "busy reads as blocked" 's/(moves\) perf_o = pipegs_pkg::)PerfBusy/\1PerfBlocked/' machine_states
-mutant pipegs_su "starved reads as blocked" 's/^( +perf_o = pipegs_pkg::)PerfStarved/\1PerfBlocked/' machine_states
+       's/Blocked( : pipegs_pkg::Perf)Starved/Starved\1Blocked/' machine_live
+mutant pu_state "busy reads as starved" 's/(front_i\) state_o = pipegs_pkg::)PerfBusy/\1PerfStarved/' machine_live
+mutant pu_state "busy reads as blocked" 's/(front_i\) state_o = pipegs_pkg::)PerfBusy/\1PerfBlocked/' machine_live
+mutant pu_state "starved reads as blocked" 's/(else state_o = pipegs_pkg::)PerfStarved/\1PerfBlocked/' machine_live
+mutant pipegs_su "busy reads as starved" 's/(moves\) perf_o = pipegs_pkg::)PerfBusy/\1PerfStarved/' machine_live
+mutant pipegs_su "busy reads as blocked" 's/(moves\) perf_o = pipegs_pkg::)PerfBusy/\1PerfBlocked/' machine_live
+mutant pipegs_su "starved reads as blocked" 's/^( +perf_o = pipegs_pkg::)PerfStarved/\1PerfBlocked/' machine_live
 mutant pipegs_su "blocked reads as starved" \
-       's/(ready_i\) perf_o = pipegs_pkg::)PerfBlocked/\1PerfStarved/' machine_states
-mutant pipegs_su "what the sorter does does not count" 's/(moves += gather_moves) \|\| sort_moves/\1/' machine_states
-mutant pipegs_ru "busy reads as starved" 's/(moves \? pipegs_pkg::)PerfBusy/\1PerfStarved/' machine_states
-mutant pipegs_ru "busy reads as blocked" 's/(moves \? pipegs_pkg::)PerfBusy/\1PerfBlocked/' machine_states
+       's/(ready_i\) perf_o = pipegs_pkg::)PerfBlocked/\1PerfStarved/' machine_live
+mutant pipegs_su "what the sorter does does not count" 's/(moves += gather_moves) \|\| sort_moves/\1/' machine_live
+mutant pipegs_ru "busy reads as starved" 's/(moves \? pipegs_pkg::)PerfBusy/\1PerfStarved/' machine_live
+mutant pipegs_ru "busy reads as blocked" 's/(moves \? pipegs_pkg::)PerfBusy/\1PerfBlocked/' machine_live
 mutant pipegs_ru "starved and blocked change places" \
-       's/Blocked( : pipegs_pkg::Perf)Starved/Starved\1Blocked/' machine_states
-mutant pipegs_ru "pixels that begin do not count" 's/(moves += )issue \|\| /\1/' machine_states
-mutant pipegs_ru "a line that leaves does not count" 's/ \|\| \(store_valid && store_ready\)//' machine_states
+       's/Blocked( : pipegs_pkg::Perf)Starved/Starved\1Blocked/' machine_live
+mutant pipegs_ru "pixels that begin do not count" 's/(moves += )issue \|\| /\1/' machine_live
+mutant pipegs_ru "a line that leaves does not count" 's/ \|\| \(store_valid && store_ready\)//' machine_live
+# --- what only whole frames cover -------------------------------------------------------------------------------------
+group machine "Modules that only whole frames cover, in small machines"
+mutant pu_marks "a layer's end keeps the depth that it had" \
+       "s/if \(splat_is_end\) splat_o/if (1'b0) splat_o/" machine_live
+mutant pu_late "regions that are done stay" 's/tiles_i\.mask & ~part_done/tiles_i.mask/' machine_live
+mutant pu_late "a Gaussian without a region asks for its colour" "s/( drop *= ).*;/\11'b0;/" machine_live
+mutant pu_front "asleep while Gaussians are in the cull" 's/(culls_o = )cull_busy \|\| /\1/' machine_live
+mutant pu_shape "asleep while Gaussians are in it" "s/(busy_o *= )\|busy/\11'b0/" machine_live
+mutant pu_back "asleep while splats are made" 's/(busy_o *= )window_busy \|\| /\1/' machine_live
+mutant pipegs_pu "a line from memory does not wake it" 's/^( +)geometry_rsp_valid_i \|\| /\1/' machine_live
+mutant pipegs_front "done while PUs work" "s/dopu_busy \|\| pu_busy != '0/dopu_busy/" machine_live
+mutant pipegs_sorting "buckets begin an octave too far" "s/ExpW'\(length - 1'b1\)/ExpW'(length)/" machine_live
+mutant pipegs_raster "done while RUs blend" "s/(busy_o = )ru_active != '0 \|\| /\1/" machine_live
+mutant pipegs_top "pixels by windows have the room of those in raster order" \
+       's/(pixels_room = )(front_picture_q\.format)/\1!\2/' machine_live
+mutant pipegs_memory_ports "pixels that the memory has not taken are stored" \
+       "s/mem_valid_o && mem_request_o\.write && /1'b0 \&\& /" machine_live
+mutant pipegs_host "an abort gives nothing up" 's/(give_up *= )abort \|\| /\1/' machine_live
+mutant ru_rows "done of the window before is used" "s/(live *= )ends_q == '0 \? (.*) : .*;/\1\2;/" machine_lists
 
 # --- rtl/lib ----------------------------------------------------------------------------------------------------------
 group lib "Library"
@@ -530,3 +572,6 @@ mutant pipegs_list_read "a record goes to all" "s/give \? \(item_read \? target 
 mutant pipegs_list_read "an entry waits until an SU has room" \
        "s/(request    = )able == '0 && none_q == '1 \? '1 : able/\1able/"
 mutant pipegs_list_read "one window too many" "s/windows - LeftW'\(1\)/windows/"
+mutant pipegs_lists "counts are read at the window that is written" \
+       's/write_count_read \? write_number : read_number/write_number/' lists
+mutant pipegs_lists "the second phase begins in every cycle" 's/(written_o *= done) && !written_q/\1/' lists

@@ -3,7 +3,7 @@
 //
 // Idea    What the default machine shows in a small frame is kept, and shown to StateCheck again with a fault in it:
 //         one state stands for another in all cycles of a unit, or in one cycle. Faults of the RTL itself are in
-//         verif/mutation/table.sh, with the test machine_states.
+//         verif/mutation/table.sh, with the test machine_live.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
