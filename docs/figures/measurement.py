@@ -9,12 +9,15 @@ from sources import PHOTOGRAPHS, ROOT, SCENES, digest, hash_of, named_machine
 
 # a: models, counts, decibels, seconds to minutes: measured by every `make figures`. b: frames in RTL. c: synthesis,
 # FPGAs, training, proofs, viewers. b and c are measured when what decides them has changed. A part named here makes a
-# measurement at least of that class.
-CLASS_OF = {"rtl": "b", "synth": "c", "fpga": "c", "train": "c", "proofs": "c", "page": "c"}
+# measurement at least of that class. d: full runs of what `make test` runs in part: hours, so nobody but who names them
+# measures them, and they are never called stale: pages say what of the RTL has changed since.
+CLASS_OF = {"rtl": "b", "synth": "c", "fpga": "c", "train": "c", "proofs": "c", "page": "c", "coverage": "c",
+            "runs": "d"}  # fmt: skip
 CLASSES = {
     "a": "models, counts, decibels: measured every time",
     "b": "frames in RTL",
     "c": "synthesis, FPGAs, training, proofs, viewers",
+    "d": "full runs of long tests: measured when they are named",
 }
 
 
@@ -44,7 +47,7 @@ class Measurement:
 
     @property
     def kind(self):
-        """Its class: a, b or c."""
+        """Its class: a, b, c or d."""
         return max(["a", *(CLASS_OF[part] for part in self.by if part in CLASS_OF)])
 
     def machines(self):
@@ -68,7 +71,7 @@ class Measurement:
         command = words[2] if words[1:2] == ["study"] else words[1] if words[0] == "build/pipegs" else ""
         study = "explore" if command in ("accuracy", "tradeoff", "shapes") else command
         return [
-            *[part for part in self.by if part not in ("rtl", "train")],
+            *[part for part in self.by if part not in ("rtl", "train", "runs")],
             *(rtl if "rtl" in self.by else []),
             *[f"point {machine}" for machine in machines],
             *([f"study {study}"] if study and (ROOT / "sim/studies" / study).is_dir() else []),

@@ -4,7 +4,19 @@ from itertools import accumulate
 
 from measurement import Measurement
 from scenes import SIZES, VIEWS_OF_SIZE
-from texts import PRINTING, difference, golden, leave_one_out, printed, proofs, shown, stability
+from texts import (
+    PRINTING,
+    coverage,
+    difference,
+    golden,
+    leave_one_out,
+    mutants,
+    printed,
+    proofs,
+    shown,
+    stability,
+    tests,
+)
 
 RTL = ("rtl", "models", "memory")
 MODEL = ("models", "timing", "memory", "cost")
@@ -52,6 +64,7 @@ MEMORIES = {  # settings of the design point
 BY_BANDWIDTH = ("baseline", "dop", "exact", "fast")
 CHANNELS = (1, 2, 8)  # of LPDDR5-6400, 12.8 GB/s each; the default has 4
 STABILITY = ("input", "shape", "view", "alpha", "order", "beyond", "wrap", "sanitize", "budget", "stress")
+RUNS = {"netlists": "-L netlist", "long": "-L long -LE netlist -E '^(mutation_|prove_all)'"}
 TRAINED = {"original": "--order exact --cldr none", "layers": ""}  # the rows of the paper's Table 1
 TABLE = [
     # The timing model and the golden model: cycles, bytes, counts, decibels.
@@ -130,6 +143,12 @@ TABLE = [
     Measurement("netlist/fast_3_3", "build/pipegs sim --design fast --window 3,3 --netlist --no-truth --json",
                 (*RTL, "synth", "gates"), points=("fast",)),
     Measurement("proofs/all", "synth/prove.sh", ("rtl", "proofs"), read=proofs),
+    Measurement("coverage/fast", "build/verif/top/coverage_test", (*RTL, "coverage"), points=("fast",),
+                targets=("coverage_test",), read=coverage),
+    # Full runs of what `make test` runs in part: an hour or two each.
+    Measurement("runs/mutants", "verif/mutation/mutate.sh", ("rtl", "runs"), read=mutants, exit_codes=(0, 1)),
+    *[Measurement(f"runs/{name}", f"ctest --test-dir build/. {which}", ("rtl", "runs"), targets=("all",), read=tests,
+                  exit_codes=(0, 8)) for name, which in RUNS.items()],
     Measurement("loops/all", "verif/self/loop.sh", RTL, alone=True),
     *[Measurement(f"trained/plush_{name}", f"build/pipegs train {{scene}} --steps 3000 --layers 8 {options} "
                   f"--out trained/{name} --json", (*MODEL, "layers", "train"), "plush", None, ("dop", "fast"))

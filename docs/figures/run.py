@@ -126,7 +126,7 @@ def prepare(ones, build):
 
 
 def run_all(ones, entries, build):
-    """Runs them; the names of those that failed. One that takes times, and each of class c, runs alone."""
+    """Runs them; the names of those that failed. One that takes times, and each of class c or d, runs alone."""
     commit = subprocess.run(
         ["git", "log", "-1", "--format=%h"], cwd=ROOT, capture_output=True, text=True
     ).stdout.strip()
@@ -138,7 +138,7 @@ def run_all(ones, entries, build):
             while left or active:
                 while left and len(active) < AT_ONCE:
                     by_itself = [
-                        one.alone or one.kind == "c" for one in (left[0], *(one for one, _ in active.values()))
+                        one.alone or one.kind >= "c" for one in (left[0], *(one for one, _ in active.values()))
                     ]
                     if active and any(by_itself):
                         break

@@ -53,6 +53,7 @@ GROUPS = {  # the folders or files that make it; with - before it, what is not o
               "-synth/memories.sh", "-synth/prove.sh"],
     "gates": ["sim/rtl/build_rtl.sh", "sim/rtl/verilate.sh"],  # whether a unit is gates
     "fpga": ["synth/fpga"],
+    "coverage": ["verif/top/coverage_test.cpp", "verif/top/linked_machine.hpp", "sim/bounds/hostile_scene.cpp"],
     "proofs": ["synth/prove", "synth/prove.sh"],
     "units": [f"verif/{folder}" for folder in ("dopu", "lib", "pu", "ru", "su", "support", "timing")],
     "frames": ["verif/frame", "verif/stability", "verif/support"],

@@ -138,6 +138,33 @@ def proofs(text):
     return found
 
 
+def mutants(text):
+    """Of verif/mutation/mutate.sh: how many were run, how many caught, and the modules of the others."""
+    run, caught = map(int, re.search(r"^(\d+) mutants, (\d+) caught", text, re.MULTILINE).groups())
+    left = re.findall(r"^(\w+) +[\d.]+ s  .*: (?:SURVIVED|BROKEN)", text, re.MULTILINE)
+    return {"run": run, "caught": caught, "left": left}
+
+
+def tests(text):
+    """Of ctest: how many tests passed, and the names of those that were skipped, and of those that failed."""
+    of = re.findall(r"^ *\d+/\d+ +Test +#\d+: (\S+) [.*]*(?: *\*\*\*)? *(\w+)", text, re.MULTILINE)
+    if not of:
+        raise ValueError("no line of a test")
+    return {
+        "passed": sum(verdict == "Passed" for _, verdict in of),
+        "skipped": [name for name, verdict in of if verdict == "Skipped"],
+        "failed": [name for name, verdict in of if verdict not in ("Passed", "Skipped")],
+    }
+
+
+def coverage(text):
+    """Of the test `coverage`: blocks of the RTL, those that frames executed, and by module those never executed."""
+    modules = re.findall(r"^(\w+) +(\d+) of (\d+) never, lines ([\d ]+)$", text, re.MULTILINE)
+    count, executed, blocks = map(int, re.search(r"(\d+) modules: (\d+) of (\d+) executed", text).groups())
+    never = {name: {"never": int(missed), "of": int(of), "lines": lines} for name, missed, of, lines in modules}
+    return {"modules": count, "executed": executed, "blocks": blocks, "never": never}
+
+
 def shown(text):
     """What a command prints, line by line; a path begins at the build folder, wherever that lies."""
     return {"lines": [line.rstrip() for line in re.sub(r"/\S*/(?=build/)", "", text).rstrip("\n").split("\n")]}

@@ -115,7 +115,7 @@ for path in (tables.POINTS, tables.PATHS):
 
 
 def copy_into(folder):
-    for name in ("docs", "synth", "rtl", "cpp_model", "sim", "scenes"):
+    for name in ("docs", "synth", "rtl", "cpp_model", "sim", "scenes", "verif/mutation"):
         shutil.copytree(ROOT / name, Path(folder) / name, ignore=shutil.ignore_patterns("__pycache__", "node_modules"))
     shutil.copy(ROOT / "README.md", folder)
 
