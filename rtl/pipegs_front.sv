@@ -46,7 +46,7 @@ module pipegs_front #(
   output logic                             busy_o,
   output logic [(1+Units)*2-1:0]           perf_o,     // DOPU, PUs
   output logic [Units-1:0]                 tap_chunk_valid_o,
-  output logic [pipegs_pkg::KindW-1:0]     tap_chunk_kind_o
+  output pipegs_pkg::chunk_t               tap_chunk_o
 );
 
   localparam int unsigned VisibleBits   = pipegs_pkg::VisibleBits;
@@ -201,7 +201,7 @@ module pipegs_front #(
 
   assign busy_o            = dopu_busy || pu_busy != '0 || deal_active;
   assign tap_chunk_valid_o = chunk_valid & chunk_ready;
-  assign tap_chunk_kind_o  = chunk.kind;
+  assign tap_chunk_o       = chunk;
 
   assign culled_ready = Units'(dealt_from);
 

@@ -86,7 +86,7 @@ module pipegs_top #(
   pipegs_pkg::raster_taps_t                 taps;
   logic [Units-1:0]                         tap_splat_valid, tap_chunk_valid;
   logic [Units*SplatBits-1:0]               tap_splat;
-  logic [pipegs_pkg::KindW-1:0]             tap_chunk_kind;
+  pipegs_pkg::chunk_t                       tap_chunk;
 
   // --- frames -------------------------------------------------------------------------------------------------------
   always_ff @(posedge clk_i) begin
@@ -170,7 +170,7 @@ module pipegs_top #(
     .busy_o(front_busy),
     .perf_o(perf_state[0 +: 2*(1+Units)]),
     .tap_chunk_valid_o(tap_chunk_valid),
-    .tap_chunk_kind_o(tap_chunk_kind)
+    .tap_chunk_o(tap_chunk)
   );
 
   pipegs_sorting u_sorting (
@@ -287,7 +287,7 @@ module pipegs_top #(
 
   // The simulated machine (sim/rtl/pipegs_sim.sv) looks at what moves on the streams by name.
   logic unused_taps;
-  assign unused_taps = &{1'b0, tap_splat_valid, tap_splat, tap_chunk_valid, tap_chunk_kind, taps, layer_done};
+  assign unused_taps = &{1'b0, tap_splat_valid, tap_splat, tap_chunk_valid, tap_chunk, taps, layer_done};
 
 `ifndef SYNTHESIS
   pipegs_stream_check #(.DataW($bits(sorted))) u_check_sorted (

@@ -34,7 +34,7 @@ void FrameWatch::on_cycle(uint64_t cycle_number, const uint8_t* states) {
   cycle(cycle_number, states);
 }
 
-void FrameWatch::on_chunk(int unit, int kind) {
+void FrameWatch::on_chunk(int unit, int kind, const uint32_t*) {
   if (kind == kData) return;
   chunk_ends_[unit].push_back(kind);
   while (std::all_of(chunk_ends_.begin(), chunk_ends_.end(), [](const auto& ends) { return !ends.empty(); })) {

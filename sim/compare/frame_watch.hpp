@@ -37,7 +37,7 @@ class FrameWatch : public RtlTaps {
 
   bool wants_cycles() const override { return true; }
   void on_cycle(uint64_t cycle, const uint8_t* states) final;
-  void on_chunk(int unit, int kind) final;
+  void on_chunk(int unit, int kind, const uint32_t* chunk) final;
   void on_splat(int unit, const uint32_t* splat) final;
   void on_sorted(const uint32_t* sorted) final;
   void on_alphas(int lane, uint64_t window_x, uint64_t window_y, uint32_t index, int region, int quarter,

@@ -19,7 +19,8 @@ SequenceCheck::SequenceCheck(const std::vector<Expected>& frames, const External
     : memory_(memory), second_(second), cycles_(second != nullptr && second->wants_cycles()) {
   for (const Expected& one : frames)
     frames_.push_back({one, std::make_unique<StreamCheck>(*one.input), {*one.input, one.areas}});
-  splat_frame_.resize(static_cast<size_t>(frames.front().input->packed->config.units));
+  chunk_frame_.resize(static_cast<size_t>(frames.front().input->packed->config.units));
+  splat_frame_.resize(chunk_frame_.size());
   watch_states();
 }
 
@@ -110,6 +111,7 @@ void SequenceCheck::on_frame_done() {
 void SequenceCheck::on_give_up() {
   for (size_t i = back_; i < frames_.size(); ++i)
     frames_[i].streams = std::make_unique<StreamCheck>(*frames_[i].expected.input);
+  std::fill(chunk_frame_.begin(), chunk_frame_.end(), back_);
   std::fill(splat_frame_.begin(), splat_frame_.end(), back_);
   sorted_frame_ = left_ = back_;
   watch_states();
@@ -126,9 +128,12 @@ void SequenceCheck::on_border(const uint8_t* border) {
   if (cycles_) second().on_border(border);
 }
 
-void SequenceCheck::on_chunk(int unit, int kind) {
-  states().on_chunk(unit, kind);
-  if (cycles_) second().on_chunk(unit, kind);
+void SequenceCheck::on_chunk(int unit, int kind, const uint32_t* chunk) {
+  size_t& number = chunk_frame_[static_cast<size_t>(unit)];
+  at(number).on_chunk(unit, kind, chunk);
+  if (at(number).chunks_over(unit)) ++number;
+  states().on_chunk(unit, kind, chunk);
+  if (cycles_) second().on_chunk(unit, kind, chunk);
 }
 
 void SequenceCheck::on_line_free(int unit) {

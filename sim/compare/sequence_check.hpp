@@ -40,7 +40,7 @@ class SequenceCheck final : public RtlTaps {
   bool wants_cycles() const override { return true; }
   void on_cycle(uint64_t number, const uint8_t* states) override;
   void on_border(const uint8_t* border) override;
-  void on_chunk(int unit, int kind) override;
+  void on_chunk(int unit, int kind, const uint32_t* chunk) override;
   void on_line_free(int unit) override;
   void on_layer_done(int unit, bool window_done) override;
   void on_request(int tag, bool write, uint64_t line, int lines) override;
@@ -75,7 +75,7 @@ class SequenceCheck final : public RtlTaps {
   const bool cycles_;  // the second one wants them, too
   std::vector<One> frames_;
   std::unique_ptr<StateCheck> states_;
-  std::vector<size_t> splat_frame_;                // of each unit
+  std::vector<size_t> chunk_frame_, splat_frame_;  // of each unit
   size_t sorted_frame_ = 0, left_ = 0, back_ = 0;  // left_: those of which the RUs show nothing any more
 };
 

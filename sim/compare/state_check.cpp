@@ -52,7 +52,7 @@ void StateCheck::on_cycle(uint64_t, const uint8_t* states) {
 
 void StateCheck::on_border(const uint8_t* border) { std::copy_n(border, kRtlBorders, now().border.begin()); }
 
-void StateCheck::on_chunk(int pu, int kind) {
+void StateCheck::on_chunk(int pu, int kind, const uint32_t*) {
   if (kind != kData) now().ends |= static_cast<uint8_t>(1 << pu);
 }
 

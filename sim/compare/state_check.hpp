@@ -38,7 +38,7 @@ class StateCheck final : public RtlTaps {
   bool wants_cycles() const override { return true; }
   void on_cycle(uint64_t number, const uint8_t* states) override;
   void on_border(const uint8_t* border) override;
-  void on_chunk(int pu, int kind) override;
+  void on_chunk(int pu, int kind, const uint32_t* chunk) override;
   void on_pixels(int lane, int region, int quarter, const uint32_t* word) override;
   void on_layer_done(int ru, bool) override { now().layers |= static_cast<uint8_t>(1 << ru); }
   void on_request(int tag, bool write, uint64_t line, int lines) override;

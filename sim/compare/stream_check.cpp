@@ -14,11 +14,9 @@
 namespace pipegs {
 namespace {
 
-// Compares two splats, leaving out where the alphas lie, which depends on timing; says which field differs.
-bool differ(const Config& config, Splat expected, Splat found, Mismatch& where) {
-  expected.address = found.address = 0;
-  expected.ext = found.ext = 0;
-  expected.mask = found.mask = 0;
+// Compares two records; says which field differs.
+template <class R>
+bool differ(const Config& config, const R& expected, const R& found, Mismatch& where) {
   const std::string text = first_difference(config, expected, found);  // "depth: expected 5, found 4"
   if (text.empty()) return false;
   constexpr std::string_view kExpected = ": expected ", kFound = ", found ";
@@ -27,6 +25,14 @@ bool differ(const Config& config, Splat expected, Splat found, Mismatch& where) 
   where.expected = text.substr(begin, second - begin);
   where.found = text.substr(second + kFound.size());
   return true;
+}
+
+// The same of two splats, leaving out where the alphas lie, which depends on timing.
+bool differ(const Config& config, Splat expected, Splat found, Mismatch& where) {
+  expected.address = found.address = 0;
+  expected.ext = found.ext = 0;
+  expected.mask = found.mask = 0;
+  return differ<Splat>(config, expected, found, where);
 }
 
 // The same of two states of a pixel.
@@ -63,6 +69,7 @@ uint64_t name_of(uint64_t index, uint64_t part) { return index * kParts + part; 
 std::string Mismatch::stream() const {
   const std::string number = unit ? fmt::format(" {}", *unit) : "";
   switch (tap) {
+    case Tap::kChunk: return "DOPU -> PU" + number;
     case Tap::kSplat: return fmt::format("PU{} -> SU", number);
     case Tap::kSorted: return "merge -> RU";
     case Tap::kAlphas: return "alphas -> RU" + number;
@@ -77,6 +84,7 @@ std::string Mismatch::stream() const {
 
 std::string Mismatch::signal() const {
   switch (tap) {
+    case Tap::kChunk: return "tap_chunk_o";
     case Tap::kSplat: return "tap_splat_o";
     case Tap::kSorted: return "tap_sorted_o";
     case Tap::kAlphas: return "tap_alphas_o";
@@ -99,6 +107,7 @@ StreamCheck::StreamCheck(const GoldenInput& input)
       constants_(config_),
       rows_(config_),
       windows_x_(input.frame.raster.windows.last_x - input.frame.raster.windows.first_x + 1),
+      chunk_window_(config_.units, 0),
       splat_place_(config_.units),
       ru_window_(config_.units * config_.tap_lanes(), 0),
       pending_(config_.units * config_.tap_lanes()),
@@ -111,6 +120,7 @@ StreamCheck::Window& StreamCheck::window(uint64_t ordinal) {
   const uint64_t x = input_.frame.raster.windows.first_x + ordinal % windows_x_,
                  y = input_.frame.raster.windows.first_y + ordinal / windows_x_;
   window.golden = golden_window(input_, x, y);
+  if (!config_.has_lists()) window.chunks.emplace(input_, x, y);
   for (const GoldenLayer& layer : window.golden.layers) {
     auto& by_name = window.by_name.emplace_back();
     for (const GoldenSplat& splat : layer.splats) by_name.emplace(name_of(splat.splat.index, splat.splat.part), &splat);
@@ -176,9 +186,19 @@ void StreamCheck::expect_line(uint64_t ordinal, int lane, size_t region, size_t 
   ++next;
 }
 
-// A window that every stream has left: no line is missing, and what was blended is the golden window.
+// A chunk that has not come, though the PUs had use for it.
+void StreamCheck::expect_chunks(uint64_t ordinal, const ChunkSet& chunks) {
+  if (const std::optional<uint64_t> slot = chunks.missing())
+    fail(ordinal, {.tap = Tap::kChunk, .gaussian = input_.packed->gaussians[*slot].index}, "its chunk", "it missing");
+}
+
+// A window that every stream has left: no line is missing, and what was blended is the golden window. Where something
+// of it was open to the end all of its chunks have come.
 void StreamCheck::expect_all(uint64_t ordinal) {
   const Window& now = window(ordinal);
+  const auto& regions = now.golden.regions;
+  const bool open = std::any_of(regions.begin(), regions.end(), [](const RegionState& one) { return !one.all_done(); });
+  if (now.chunks && open) expect_chunks(ordinal, *now.chunks);
   for (size_t region = 0; region < now.live.size(); ++region) {
     for (size_t quad = 0; quad < (config_.quads ? kQuads : 1); ++quad)
       skip_to(ordinal, region, quad, now.lines[region].size(), "at the window's end");
@@ -271,6 +291,26 @@ void StreamCheck::expect_end(const Place& place, uint64_t kind, Mismatch where) 
       return fail(place.window, where, fmt::format("it in layer {}", layer), "it missing, the end of the window");
     }
   }
+}
+
+// The ends of layers depend on timing, or are those of the splats.
+void StreamCheck::on_chunk(int unit, int kind, const uint32_t* words) {
+  uint64_t& ordinal = chunk_window_[static_cast<size_t>(unit)];
+  if (kind != kData) {
+    ordinal += kind == kWindowEnd;
+    return;
+  }
+  ++beats_;
+  const auto chunk = unpack<Chunk>(config_, words);
+  if (config_.has_lists() && !listed_)
+    listed_.emplace(input_, input_.frame.raster.windows.first_x, input_.frame.raster.windows.first_y);
+  ChunkSet& chunks = config_.has_lists() ? *listed_ : *window(ordinal).chunks;
+  Mismatch where{.tap = Tap::kChunk, .unit = unit};
+  const Chunk* expected = chunks.find(chunk.slot);
+  if (expected == nullptr) return fail(ordinal, where, "none", to_text(config_, chunk));
+  where.gaussian = input_.packed->gaussians[chunk.slot].index;
+  if (!chunks.take(chunk.slot)) return fail(ordinal, where, "its chunk once", "it again");
+  if (differ(config_, *expected, chunk, where)) fail(ordinal, where);
 }
 
 void StreamCheck::on_splat(int unit, const uint32_t* words) {
@@ -446,6 +486,7 @@ void StreamCheck::finish() {
   if (!sorted_over())
     fail(sorted_place_.window, {.tap = Tap::kSorted}, come(frame_windows(input_.frame)), come(sorted_place_.window));
   for (const auto& [ordinal, window] : open_) expect_all(ordinal);
+  if (listed_) expect_chunks(0, *listed_);
   open_.clear();
 }
 

@@ -2,6 +2,8 @@
 // stream_check.hpp: holds every stream of the RTL against the golden model while the machine runs.
 //
 // Idea    The golden window is computed when the RTL first shows something of it and dropped when it has left it.
+//           DOPU -> PU    every chunk equals the one of the bit-accurate model and comes once; all come unless the
+//                         whole window is done
 //           PU -> SU      (with lists: list -> SU) every splat equals the golden one; regions may be missing only
 //                         where the window is done there
 //           merge -> RU   the order equals the golden order, layer by layer
@@ -23,13 +25,14 @@
 #include "cpp_model/golden.hpp"
 #include "cpp_model/pu/rows/pu_rows.hpp"
 #include "cpp_model/ru/ru_quads.hpp"
+#include "sim/compare/chunk_set.hpp"
 #include "sim/rtl/rtl_model.hpp"
 
 namespace pipegs {
 
 // What showed a mismatch: a stream, the picture in memory, what a unit says that it does, what it asks of memory, or
 // the time of gates.
-enum class Tap { kSplat, kSorted, kAlphas, kPixels, kMemory, kState, kRequest, kTime };
+enum class Tap { kChunk, kSplat, kSorted, kAlphas, kPixels, kMemory, kState, kRequest, kTime };
 
 struct Mismatch {
   Tap tap;
@@ -52,6 +55,7 @@ class StreamCheck final : public RtlTaps {
  public:
   explicit StreamCheck(const GoldenInput& input);
 
+  void on_chunk(int unit, int kind, const uint32_t* chunk) override;
   void on_splat(int unit, const uint32_t* splat) override;
   void on_sorted(const uint32_t* sorted) override;
   void on_alphas(int lane, uint64_t window_x, uint64_t window_y, uint32_t index, int region, int quarter,
@@ -62,6 +66,9 @@ class StreamCheck final : public RtlTaps {
   void finish();
 
   // A stream has shown the frame's last window.
+  bool chunks_over(int unit) const {
+    return chunk_window_[static_cast<size_t>(unit)] == (config_.has_lists() ? 1 : frame_windows(input_.frame));
+  }
   bool splats_over(int unit) const {
     return splat_place_[static_cast<size_t>(unit)].window == frame_windows(input_.frame);
   }
@@ -89,6 +96,7 @@ class StreamCheck final : public RtlTaps {
   };
   struct Window {
     GoldenWindow golden;
+    std::optional<ChunkSet> chunks;                                         // without lists
     std::vector<std::unordered_map<uint64_t, const GoldenSplat*>> by_name;  // of each layer
     RegionSet done;                                                         // regions done at the end
     std::vector<RegionState> live;                                          // blended line by line as the RTL does
@@ -116,6 +124,7 @@ class StreamCheck final : public RtlTaps {
   bool changes(const Window& window, int region, int quad, const Line& line) const;
   void skip_to(uint64_t ordinal, size_t region, size_t quad, size_t end, const std::string& seen);
   void expect_line(uint64_t ordinal, int lane, size_t region, size_t quad, const GoldenSplat& shown);
+  void expect_chunks(uint64_t ordinal, const ChunkSet& chunks);
   void expect_all(uint64_t ordinal);
   // Regions of a splat that the stream before the RUs may leave out. Lists are made before anything is done: they are
   // complete.
@@ -137,6 +146,8 @@ class StreamCheck final : public RtlTaps {
   BlendConstants constants_;
   PuRows rows_;  // its tables are made once, not for every line
   uint64_t windows_x_;
+  std::vector<uint64_t> chunk_window_;  // of each PU
+  std::optional<ChunkSet> listed_;      // with lists: the frame's
   std::vector<Place> splat_place_;
   Place sorted_place_;
   std::vector<uint64_t> ru_window_;            // of each lane of taps: the window of its latest alphas

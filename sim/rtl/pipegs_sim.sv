@@ -20,7 +20,7 @@
   assign splat_valid          = CORE.tap_splat_valid; \
   assign splat                = CORE.tap_splat; \
   assign chunk_valid          = CORE.tap_chunk_valid; \
-  assign chunk_kind           = CORE.tap_chunk_kind; \
+  assign chunk                = CORE.tap_chunk; \
   assign state                = CORE.perf_state; \
   assign layer_done           = CORE.layer_done; \
   assign line_free            = CORE.line_free; \
@@ -87,7 +87,7 @@ module pipegs_sim #(
   output logic [TapsN*2-1:0]            tap_pixels_quarter_o,
   output logic [TapsN*pipegs_pkg::TapWordW-1:0] tap_pixels_o,
   output logic [Units-1:0]              tap_chunk_valid_o,  // DOPU -> PU
-  output logic [pipegs_pkg::KindW-1:0]  tap_chunk_kind_o,
+  output logic [pipegs_pkg::ChunkBits-1:0] tap_chunk_o,
   output logic [PerfUnits*2-1:0]        tap_state_o,        // of each unit in the order of perf_o, see pipegs_perf
   output logic [Borders*Units-1:0]      tap_border_o,       // what stands at the borders of the units, see RtlBorder
   output logic [Units-1:0]              tap_line_free_o,    // pulse: a line has left the alpha store
@@ -103,7 +103,7 @@ module pipegs_sim #(
   logic [Units*pipegs_pkg::WindowW-1:0] window_x, window_y;
   logic [Units-1:0]                 splat_valid, chunk_valid, line_free, layer_done, window_done;
   logic [Units*SplatBits-1:0]       splat;
-  logic [pipegs_pkg::KindW-1:0]     chunk_kind;
+  pipegs_pkg::chunk_t               chunk;
   logic [PerfUnits*2-1:0]           state;
   logic [Borders*Units-1:0]         border;
 
@@ -190,7 +190,7 @@ module pipegs_sim #(
   assign tap_pixels_quarter_o = Shown ? taps.pixels_quarter : '0;
   assign tap_pixels_o         = Shown ? taps.pixels : '0;
   assign tap_chunk_valid_o    = Shown ? chunk_valid : '0;
-  assign tap_chunk_kind_o     = Shown ? chunk_kind : '0;
+  assign tap_chunk_o          = Shown ? chunk : '0;
   assign tap_state_o          = Shown ? state : '0;
   assign tap_border_o         = Shown ? border : '0;
   assign tap_line_free_o      = Shown ? line_free : '0;

@@ -161,8 +161,9 @@ void VerilatedMachine::tap_cycle(RtlTaps& taps) {
     taps.on_border(border);
   }
   running_ = top.tap_busy_o;
+  const int kind = static_cast<int>(get_bits(top.tap_chunk_o.data(), 0, w_.kind));
   for (int unit = 0; unit < w_.units; ++unit) {
-    if (top.tap_chunk_valid_o >> unit & 1) taps.on_chunk(unit, static_cast<int>(top.tap_chunk_kind_o));
+    if (top.tap_chunk_valid_o >> unit & 1) taps.on_chunk(unit, kind, top.tap_chunk_o.data());
     if (top.tap_line_free_o >> unit & 1) taps.on_line_free(unit);
     if (top.tap_layer_done_o >> unit & 1) taps.on_layer_done(unit, top.tap_window_done_o >> unit & 1);
   }

@@ -75,8 +75,8 @@ class RtlTaps {
   // First in each cycle that the performance counters count, from 0 on: what each unit does (0 busy, 1 starved, 2
   // blocked, 3 memory), in the order DOPU, PUs, SUs, RUs. What else the cycle shows comes after it.
   virtual void on_cycle(uint64_t /*cycle*/, const uint8_t* /*states*/) {}
-  virtual void on_border(const uint8_t* /*border*/) {}               // of each RtlBorder, in the same cycles
-  virtual void on_chunk(int /*unit*/, int /*kind*/) {}               // DOPU -> PU: a chunk or an end beat
+  virtual void on_border(const uint8_t* /*border*/) {}  // of each RtlBorder, in the same cycles
+  virtual void on_chunk(int /*unit*/, int /*kind*/, const uint32_t* /*chunk*/) {}  // DOPU -> PU: a chunk or an end
   virtual void on_line_free(int /*unit*/) {}                         // a line has left the alpha store of `unit`
   virtual void on_layer_done(int /*unit*/, bool /*window_done*/) {}  // RU `unit` has blended a layer
   // A line to external memory, or lines from it, see MemoryRequest.

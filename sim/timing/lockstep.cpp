@@ -82,7 +82,9 @@ Lockstep::~Lockstep() = default;
 void Lockstep::on_request(int tag, bool write, uint64_t line, int lines) {
   show(Border::kRequest, tag, timing::shown_request(line, write, lines));
 }
-void Lockstep::on_chunk(int unit, int kind) { show(Border::kChunk, unit, static_cast<uint64_t>(kind)); }
+void Lockstep::on_chunk(int unit, int kind, const uint32_t*) {
+  show(Border::kChunk, unit, static_cast<uint64_t>(kind));
+}
 void Lockstep::on_splat(int unit, const uint32_t* splat) { show(Border::kSplat, unit, beat<Splat>(splat)); }
 void Lockstep::on_sorted(const uint32_t* sorted) {
   const uint64_t what = beat<Sorted>(sorted);

@@ -39,7 +39,7 @@ class Lockstep final : public RtlTaps {
   void on_sorted(const uint32_t* sorted) override;
   void on_alphas(int lane, uint64_t window_x, uint64_t window_y, uint32_t index, int region, int quarter,
                  const uint32_t* line) override;
-  void on_chunk(int unit, int kind) override;
+  void on_chunk(int unit, int kind, const uint32_t* chunk) override;
   void on_layer_done(int unit, bool window_done) override;
   void on_request(int tag, bool write, uint64_t line, int lines) override;
 

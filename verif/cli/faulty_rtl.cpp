@@ -50,8 +50,8 @@ class FaultyTaps final : public RtlTaps {
   bool wants_cycles() const override { return taps_.wants_cycles(); }
   void on_cycle(uint64_t number, const uint8_t* states) override { now().on_cycle(number, states); }
   void on_border(const uint8_t* border) override { now().on_border(border); }
-  void on_chunk(int unit, int kind) override {
-    if (shown_) now().on_chunk(unit, kind);
+  void on_chunk(int unit, int kind, const uint32_t* chunk) override {
+    if (shown_) now().on_chunk(unit, kind, chunk);
     shown_ = true;
   }
   void on_line_free(int unit) override { now().on_line_free(unit); }

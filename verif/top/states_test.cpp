@@ -27,9 +27,15 @@ namespace {
 constexpr const char* kStates[] = {"busy", "starved", "blocked", "memory"};
 constexpr const char* kUnits[] = {"DOPU", "PU 0", "SU 0", "RU 0"};
 
+struct ChunkBeat {  // DOPU -> PU
+  int unit, kind;
+  std::vector<uint32_t> words;
+};
+
 struct Shown {  // in a cycle
   uint64_t number;
   std::vector<uint8_t> states, border;
+  std::vector<ChunkBeat> chunks;
   std::vector<std::function<void(RtlTaps&)>> rest;
 };
 
@@ -38,11 +44,11 @@ class Recorder final : public RtlTaps {
   explicit Recorder(const Config& config) : config_(config) {}
   bool wants_cycles() const override { return true; }
   void on_cycle(uint64_t number, const uint8_t* states) override {
-    shown.push_back({number, {states, states + 1 + 3 * config_.units}, {}, {}});
+    shown.push_back({number, {states, states + 1 + 3 * config_.units}, {}, {}, {}});
   }
   void on_border(const uint8_t* border) override { shown.back().border.assign(border, border + kRtlBorders); }
-  void on_chunk(int unit, int kind) override {
-    then([=](RtlTaps& taps) { taps.on_chunk(unit, kind); });
+  void on_chunk(int unit, int kind, const uint32_t* chunk) override {
+    if (!shown.empty()) shown.back().chunks.push_back({unit, kind, copy(chunk, record_width<Chunk>(config_))});
   }
   void on_layer_done(int unit, bool window_done) override {
     then([=](RtlTaps& taps) { taps.on_layer_done(unit, window_done); });
@@ -105,7 +111,9 @@ class States : public testing::Test {
     if (counters != nullptr) check.finish(*counters);
     return lines;
   }
-  static void show(RtlTaps& taps, const Alter& alter) {
+  // Of each chunk those that come in its place.
+  using Chunks = std::function<std::vector<Chunk>(const Chunk&)>;
+  static void show(RtlTaps& taps, const Alter& alter, const Chunks& chunks = {}) {
     for (size_t i = 0; i < run().shown.size(); ++i) {
       const Shown& one = run().shown[i];
       std::vector<uint8_t> states = one.states;
@@ -113,6 +121,14 @@ class States : public testing::Test {
       taps.cycle = static_cast<int64_t>(one.number);
       taps.on_cycle(one.number, states.data());
       taps.on_border(one.border.data());
+      for (const ChunkBeat& beat : one.chunks) {
+        const Chunk chunk = unpack<Chunk>(options().config, beat.words.data());
+        for (const Chunk& other : chunks&& beat.kind == kData ? chunks(chunk) : std::vector{chunk}) {
+          std::vector<uint32_t> words(beat.words.size());
+          pack(options().config, other, words.data());
+          taps.on_chunk(beat.unit, beat.kind, words.data());
+        }
+      }
       for (const auto& rest : one.rest) rest(taps);
     }
   }
@@ -182,6 +198,42 @@ TEST_F(States, CountersOfOtherStatesAreSeen) {
   const std::vector<StateCheck::Wrong> lines = check({}, &wrong);
   ASSERT_EQ(lines.size(), 1u);
   EXPECT_EQ(lines[0].unit, "SU 1");
+}
+
+// A chunk that is missing, comes twice, is another one or has another centre, though every splat is right.
+TEST_F(States, ChunksThatAreWrongAreHeard) {
+  run();
+  const ExternalMemory memory({}, options().config.bus_w);
+  const GoldenInput& input = simulation_.input;
+  const SequenceCheck::Expected frame = {&input, &simulation_.golden.pixels,
+                                         frame_areas(options().config, *input.packed, input.frame)};
+  const auto with = [](const Chunk& chunk, auto field, int64_t step) {
+    Chunk other = chunk;
+    other.*field += static_cast<std::remove_reference_t<decltype(other.*field)>>(step);
+    return std::vector{other};
+  };
+  const std::pair<const char*, Chunks> faults[] = {
+      {"its chunk", [](const Chunk&) { return std::vector<Chunk>{}; }},
+      {"its chunk once",
+       [](const Chunk& chunk) {
+         return std::vector{chunk, chunk};
+       }},
+      {"none", [&](const Chunk& chunk) { return with(chunk, &Chunk::slot, 1); }},
+      {"origin_y", [&](const Chunk& chunk) { return with(chunk, &Chunk::origin_y, 1); }},
+      {"count", [&](const Chunk& chunk) { return with(chunk, &Chunk::count, -1); }},
+      {"window_x", [&](const Chunk& chunk) { return with(chunk, &Chunk::window_x, 1); }},
+      {"watermark", [&](const Chunk& chunk) { return with(chunk, &Chunk::watermark, 1); }}};
+  for (const auto& [expected, fault] : faults) {
+    SCOPED_TRACE(expected);
+    SequenceCheck check({frame}, memory, nullptr);
+    int number = 0;
+    show(check, {},
+         [&, &fault = fault](const Chunk& chunk) { return ++number == 5 ? fault(chunk) : std::vector{chunk}; });
+    ASSERT_GE(check.frame(0).mismatches(), 1u);
+    const Mismatch& first = *check.frame(0).first();
+    EXPECT_EQ(first.tap, Tap::kChunk);
+    EXPECT_EQ(first.field.empty() ? first.expected : first.field, expected);
+  }
 }
 
 // In what `pipegs sim` compares, a request that leaves the areas of its port is a mismatch, though no pixel shows it.
