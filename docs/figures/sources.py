@@ -36,7 +36,7 @@ GROUPS = {  # the folders or files that make it; with - before it, what is not o
     "rtl": ["rtl"],
     "models": ["cpp_model", "-cpp_model/driver", *DRIVER, "-cpp_model/package_sv.cpp", "-cpp_model/control/print",
                "-cpp_model/lib/corners.cpp", "-cpp_model/lib/corners.hpp", "scenes/generate"],
-    "timing": ["sim/timing"],
+    "timing": ["sim/timing", "-sim/timing/lockstep.cpp", "-sim/timing/lockstep.hpp"],
     "memory": ["sim/memory"],
     "bounds": ["sim/bounds"],
     "effects": ["sim/effects"],
@@ -51,7 +51,8 @@ GROUPS = {  # the folders or files that make it; with - before it, what is not o
     "synth": ["synth", "-synth/data", "-synth/fpga", "-synth/prove", "-synth/points.py", "-synth/depends.py",
               "-synth/declared.py", "-synth/design_points.py", "-synth/lint.sh", "-synth/misread.sh",
               "-synth/memories.sh", "-synth/prove.sh"],
-    "gates": ["sim/rtl/build_rtl.sh", "sim/rtl/verilate.sh"],  # whether a unit is gates
+    "gates": ["sim/rtl/build_rtl.sh", "sim/rtl/verilate.sh",  # whether a unit is gates
+              "sim/timing/lockstep.cpp", "sim/timing/lockstep.hpp"],  # and takes the cycles that the RTL takes
     "fpga": ["synth/fpga"],
     "coverage": ["verif/top/coverage_test.cpp", "verif/top/linked_machine.hpp", "sim/bounds/hostile_scene.cpp"],
     "proofs": ["synth/prove", "synth/prove.sh"],
