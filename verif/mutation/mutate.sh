@@ -11,6 +11,7 @@
 # a name: not caught. One line each, with the processor's seconds; exits 1 when a mutant survives, 3 when one does not
 # run.
 set -uo pipefail
+unset PIPEGS_DAY PIPEGS_SEED  # what catches a mutant is the same each day
 cd "$(dirname "$0")/../.." || exit 3
 root=$PWD here=verif/mutation number=0 mutants=0 caught=0 survived=0 broken=0
 mkdir -p "${BUILD:-build}/mutation" && build=$(cd "${BUILD:-build}" && pwd) || exit 3
