@@ -74,10 +74,10 @@ def fill():
 
 
 def stale(entries, classes):
-    """Entries of these classes that today's sources would measure anew, and why; none of d (measurement.py)."""
+    """Entries of these classes that today's sources would measure anew, and why."""
     reasons = collections.defaultdict(list)
     for one in TABLE:
-        if one.kind in classes and one.kind < "d":
+        if one.kind in classes:
             older = one.older(entries[one.name]) if one.name in entries else ["never measured"]
             kinds = dict.fromkeys(name if name == "never measured" else name.split(" ")[0] for name in older)
             reasons[one.kind, ", ".join(kinds)].append(one.name)

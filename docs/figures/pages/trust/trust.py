@@ -5,7 +5,7 @@ import re
 from data import data
 from formats import group, table
 from markers import shown
-from sources import ROOT, hash_of
+from sources import ROOT
 
 MEASURED = ["netlist/*", "coverage/*", "runs/*", "proofs/all"]
 WINDOW = data.netlist.fast_3_3
@@ -52,10 +52,3 @@ def when(name):
     entry = shown[name]
     hours = f"{entry['seconds'] / 3600:.1f} h"
     return f"{entry['date']}, {entry['commit']}, RTL {entry['by']['rtl']}, {hours}"
-
-
-def since(name):
-    """Whether the RTL is that of the run."""
-    if name not in shown:
-        return "-"
-    return "no" if shown[name]["by"]["rtl"] == hash_of("rtl") else "yes"
