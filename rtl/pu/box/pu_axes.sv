@@ -56,12 +56,13 @@ module pu_axes (
   localparam int unsigned RsqrtOutW = 18;
   localparam int unsigned Depth     = pipegs_pkg::AxesDepth;
 
+  typedef struct packed {logic [Depth-1:0][3:0] of;} slots_t;
   logic               take, claim, step, data;
   logic [7:0]         phase;
-  logic [Depth*4-1:0] slots;
+  slots_t             slots;
   logic [Depth:1]     late;  // cycle 7 + i: what was issued i cycles ago is the last phase of a record
   for (genvar i = 1; i <= Depth; i += 1) begin : gen_late
-    assign late[i] = slots[4*i-1 -: 4] == 4'hf;
+    assign late[i] = slots.of[i-1] == 4'hf;
   end
 
   pu_phases #(.Depth(Depth), .Claim(pipegs_pkg::AxesClaim)) u_phases (
@@ -133,8 +134,8 @@ module pu_axes (
   logic [RsqrtOutW-1:0] inverse_r, inverse_r_q;
   assign squares = {1'b0, square_q} + {1'b0, lead_q};
   assign high    = squares[2*LeadW];
-  assign u       = round_q ? RsqrtInW'(1 << 18) : high ? squares[2*LeadW -: RsqrtInW - 1] + RsqrtInW'(0) :
-                   squares[2*LeadW-1 -: RsqrtInW];
+  assign u       = round_q ? RsqrtInW'(1 << 18) :
+                   RsqrtInW'(high ? squares >> (2 * LeadW + 2 - RsqrtInW) : squares >> (2 * LeadW - RsqrtInW));
   always_comb begin
     lead_left  = u_q;
     lead_right = LeadW'(inverse_r);

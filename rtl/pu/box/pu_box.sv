@@ -52,12 +52,13 @@ module pu_box (
   localparam int unsigned LengthPW  = WholeW + ShareW;
   localparam int unsigned Depth     = pipegs_pkg::BoxDepth;
 
+  typedef struct packed {logic [Depth-1:0][3:0] of;} slots_t;
   logic               take, claim, step, data;
   logic [7:0]         phase;
-  logic [Depth*4-1:0] slots;
+  slots_t             slots;
   logic [Depth:1]     late;  // cycle 7 + i: what was issued i cycles ago is the last phase of a record
   for (genvar i = 1; i <= Depth; i += 1) begin : gen_late
-    assign late[i] = slots[4*i-1 -: 4] == 4'hf;
+    assign late[i] = slots.of[i-1] == 4'hf;
   end
 
   pu_phases #(.Depth(Depth), .Claim(pipegs_pkg::BoxClaim)) u_phases (
@@ -92,7 +93,7 @@ module pu_box (
   assign e       = phase[1] ? ExpW'(in_q.long_e) - $signed(ExpW'(ShareF - 1)) : ratio_e_q - $signed(ExpW'(ShareF - 1));
   assign odd     = e[0];
   assign high   = square[TopW-1];
-  assign u       = odd ? (high ? {1'b0, square[TopW-1 -: RsqrtInW-1]} : square[TopW-2:TopW-1-RsqrtInW]) :
+  assign u       = odd ? (high ? {1'b0, square[TopW-1:TopW+1-RsqrtInW]} : square[TopW-2:TopW-1-RsqrtInW]) :
                    square[TopW-1:TopW-RsqrtInW];
   assign whole_e = e + $signed(ExpW'(TopW - RsqrtInW + 18)) +
                    (odd ? (high ? $signed(ExpW'(1)) : -$signed(ExpW'(1))) : $signed(ExpW'(0)));
@@ -135,7 +136,7 @@ module pu_box (
   logic [SideW+ThreeW-1:0] raised;
   logic [SideW-1:0]        length, length_q, breadth_q;
   logic [RootW-1:0]        root;
-  assign root   = product_q[17 +: RootW];
+  assign root   = RootW'(product_q >> 17);
   assign three  = ThreeW'(root) + (ThreeW'(root) << 1) + ThreeW'(1);
   assign up     = ((phase[5] ? long_up_q : short_up_q) >>> 1) + $signed(ExpW'(SideF) - ExpW'(RootW - 1));
   assign down   = -up;

@@ -46,13 +46,17 @@ module ru_power #(
   localparam int unsigned CurveW    = pipegs_pkg::CurveW;
   localparam int unsigned RegionW   = pipegs_pkg::RegionW;
   localparam int unsigned TapIndexW = pipegs_pkg::TapIndexW;
-  localparam int unsigned TagW      = TapIndexW + RegionW + ColorsW;
   localparam int unsigned BendW     = CurveW + 6;  // x (x - 1) curve, x (x - 1) at most 42
 
-  logic            rows_valid_q, rows_move, pixels_move;
-  logic [TagW-1:0] rows_tag_q, tag_q;
-  logic [1:0]      halves_q;  // live ones that have not left
-  logic            fire;
+  typedef struct packed {
+    logic [TapIndexW-1:0] index;
+    logic [RegionW-1:0]   region;
+    logic [ColorsW-1:0]   color;
+  } tag_t;
+  logic       rows_valid_q, rows_move, pixels_move;
+  tag_t       rows_tag_q, tag_q;
+  logic [1:0] halves_q;  // live ones that have not left
+  logic       fire;
 
   assign pixels_move    = halves_q == '0 || (fire && (halves_q == 2'b01 || halves_q == 2'b10));
   assign rows_move      = !rows_valid_q || pixels_move;
@@ -128,13 +132,16 @@ module ru_power #(
     );
     assign visible[i] = exponents.of[i][ExponentW-1:ExponentW-1];  // the highest field
   end
+  typedef struct packed {logic [Groups*Slots-1:0][3:0] of;} slots_t;  // rows of each group's slots
+  slots_t slots;
+  assign slots = stopped_i;
   ru_slot u_slot (
-    .region_i(rows_tag_q[ColorsW +: RegionW]),
+    .region_i(rows_tag_q.region),
     .slot_o(slot)
   );
   for (genvar g = 0; g < 4; g += 1) begin : gen_stopped
     logic [3:0] rows;  // of the group, in the region
-    assign rows = stopped_i[Slots*4*g + slot*4 +: 4];
+    assign rows = slots.of[Slots*g + 32'(slot)];
     for (genvar r = 0; r < 4; r += 1) begin : gen_row
       assign stopped[4*r+(g+2*r)%4] = rows[r];
     end
@@ -165,12 +172,15 @@ module ru_power #(
   end
 
   // --- the half that leaves ------------------------------------------------------------------------------------------
+  typedef struct packed {logic [8*Groups-1:0][ExponentW-1:0] of;} half_t;  // of each group's two quads
+  half_t             leaving;
   logic              half;
   logic [Groups-1:0] some;
   assign half        = !halves_q[0];
   assign fire        = halves_q != '0 && (some & ~out_room_i) == '0;
   assign out_push_o  = fire ? some : '0;
   assign out_half_o  = half;
+  assign out_o       = leaving;
   assign {out_index_o, out_region_o, out_color_o} = tag_q;
   for (genvar g = 0; g < Groups; g += 1) begin : gen_group
     for (genvar j = 0; j < 2; j += 1) begin : gen_side  // the row of quads in the half
@@ -178,8 +188,7 @@ module ru_power #(
       assign out_live_o[2*g+j] = half ? live_q[4*(2+j)+Column] : live_q[4*j+Column];
       for (genvar p = 0; p < 4; p += 1) begin : gen_lane
         localparam int unsigned Pixel = 16 * j + 2 * Column + 8 * (p / 2) + p % 2;  // of the first half
-        assign out_o[g*PairW+(4*j+p)*ExponentW +: ExponentW] =
-          half ? exponents_q.of[32+Pixel] : exponents_q.of[Pixel];
+        assign leaving.of[8*g+4*j+p] = half ? exponents_q.of[32+Pixel] : exponents_q.of[Pixel];
       end
     end
     assign some[g] = out_live_o[2*g] || out_live_o[2*g+1];

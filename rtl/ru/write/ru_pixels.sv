@@ -31,10 +31,13 @@ module ru_pixels #(
     logic [3*Lanes-1:0][RgbW-1:0] color;  // red, green, blue of the first pixel, of the second, ...
   } word_t;
   typedef struct packed {logic [4*Lanes-1:0][7:0] of;} bytes_t;
+  typedef struct packed {logic [Lanes-1:0][PixelW-1:0] of;} pixels_t;
   word_t                   word;
+  pixels_t                 pixels;
   logic [Lanes*PixelW-1:0] tiles;
   bytes_t                  bytes;
-  assign word = word_i;
+  assign word  = word_i;
+  assign tiles = pixels;
   assign lines_o[BytesW-1:0] = raster_i ? bytes : tiles[BytesW-1:0];
   if (PixelW > 32) begin : gen_above
     assign lines_o[Lanes*PixelW-1:BytesW] = tiles[Lanes*PixelW-1:BytesW];
@@ -53,20 +56,23 @@ module ru_pixels #(
           .byte_o(bytes.of[4*i+j])
         );
       end
-      assign tiles[i*PixelW +: PixelW] = {2'b11, code};
+      assign pixels.of[i] = {2'b11, code};
     end else begin : gen_wide
+      localparam int unsigned Left = FieldW - RgbW;
+      logic [FieldW-1:0] t;
       if (TW >= FieldW) begin : gen_cut
-        assign tiles[i*PixelW+3*FieldW +: FieldW] = word.t[i][TW-1:TW-FieldW];
+        assign t = word.t[i][TW-1:TW-FieldW];
       end else begin : gen_extend
-        assign tiles[i*PixelW+3*FieldW +: FieldW] = {word.t[i], (FieldW-TW)'(0)};
+        assign t = {word.t[i], (FieldW-TW)'(0)};
       end
       for (genvar j = 0; j < 3; j += 1) begin : gen_channel
-        assign tiles[i*PixelW+j*FieldW +: FieldW] = FieldW'(word.color[3*i+j]) << (FieldW - RgbW);
         ru_unorm #(.CodeW(8)) u_unorm (
           .color_i(word.color[3*i+j]),
           .code_o(bytes.of[4*i+j])
         );
       end
+      assign pixels.of[i] = {t, FieldW'(word.color[3*i+2]) << Left, FieldW'(word.color[3*i+1]) << Left,
+                             FieldW'(word.color[3*i]) << Left};
     end
     assign bytes.of[4*i+3] = '1;
   end
