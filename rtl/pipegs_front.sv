@@ -69,6 +69,15 @@ module pipegs_front #(
   typedef struct packed {logic [Units-1:0][AddressW-1:0] full, bad;} pu_lines_t;
   pu_lines_t                        pu_lines;
 
+  typedef struct packed {
+    logic [Units-1:0][SplatBits-1:0] splat;
+    logic [Units-1:0][NumberW-1:0]   number;
+    logic [Units-1:0][LinesW-1:0]    overflow;
+    logic [Units:0][1:0]             perf;  // DOPU, PUs
+  } outs_t;
+  outs_t outs;
+  assign {splat_o, number_o, overflow_o, perf_o} = outs;
+
   assign spill_o.write = '1;
 
   pipegs_clock_gate u_dopu_gate (
@@ -99,7 +108,7 @@ module pipegs_front #(
     .chunk_room_i(chunk_room),
     .chunk_o(chunk),
     .active_o(dopu_active),
-    .perf_o(perf_o[1:0]),
+    .perf_o(outs.perf[0]),
     .bad_o(dopu_bad),
     .bad_line_o(dopu_bad_line)
   );
@@ -160,16 +169,16 @@ module pipegs_front #(
       .store_line_o(store_o.line[k]),
       .splat_valid_o(splat_valid_o[k]),
       .splat_ready_i(splat_ready_i[k]),
-      .splat_o(splat_o[k*SplatBits +: SplatBits]),
-      .number_o(number_o[k*NumberW +: NumberW]),
-      .overflowed_o(overflow_o[k*LinesW +: LinesW]),
+      .splat_o(outs.splat[k]),
+      .number_o(outs.number[k]),
+      .overflowed_o(outs.overflow[k]),
       .full_o(pu_full[k]),
       .full_line_o(pu_lines.full[k]),
       .bad_o(pu_bad[k]),
       .bad_line_o(pu_lines.bad[k]),
       .busy_o(pu_busy[k]),
       .active_o(pu_active[k]),
-      .perf_o(perf_o[2*(1+k) +: 2])
+      .perf_o(outs.perf[1+k])
     );
   end
 

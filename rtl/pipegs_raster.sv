@@ -61,8 +61,14 @@ module pipegs_raster #(
     logic [Units-1:0]                    skip;
     logic [Units-1:0][LineW-1:0]         answer;                  // of each store
   } reads_t;
+  typedef struct packed {  // of each RU
+    logic [Units-1:0][pipegs_pkg::HalvesW-1:0] halves;
+    logic [Units-1:0][1:0]                     perf;
+  } outs_t;
   pairs_t pairs;
   reads_t reads;
+  outs_t  outs;
+  assign {halves_o, perf_o} = outs;
 
   ru_dispatch u_dispatch (
     .clk_i,
@@ -121,7 +127,7 @@ module pipegs_raster #(
       .mem_ready_i(memory_i.ready[k]),
       .mem_write_o(memory_o.write[k]),
       .mem_address_o(memory_o.address[k]),
-      .mem_halves_o(halves_o[k*pipegs_pkg::HalvesW +: pipegs_pkg::HalvesW]),
+      .mem_halves_o(outs.halves[k]),
       .mem_data_o(memory_o.data[k]),
       .rsp_valid_i(memory_i.line[k]),
       .rsp_data_i(line_i),
@@ -142,7 +148,7 @@ module pipegs_raster #(
       .window_done_o(window_done_o[k]),
       .idle_o(),
       .active_o(ru_active[k]),
-      .perf_o(perf_o[2*k +: 2]),
+      .perf_o(outs.perf[k]),
       .tap_line_valid_o(taps_o.alphas_valid[k]),
       .tap_line_index_o(taps_o.alphas_index[k]),
       .tap_line_region_o(taps_o.alphas_region[k]),
