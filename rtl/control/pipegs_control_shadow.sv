@@ -34,30 +34,28 @@ module pipegs_control_shadow #(
   output pipegs_pkg::picture_t   picture_o
 );
 
-  localparam int unsigned Slots     = pipegs_pkg::ControlSlots;
-  localparam int unsigned Bits      = pipegs_pkg::ControlShadowBits;
-  localparam int unsigned FrameBits = pipegs_pkg::FrameBits;
-  localparam int unsigned AreasBits = pipegs_pkg::AreasBits;
+  localparam int unsigned Slots = pipegs_pkg::ControlSlots;
+  localparam int unsigned Bits  = pipegs_pkg::ControlShadowBits;
 
-  logic [Bits-1:0]     shadow;
-  logic                queued_q, write;
-  logic [Slots-1:0]    write_hits, read_hits;
-  logic [Slots*32-1:0] shown;
+  typedef struct packed {logic [Slots-1:0][31:0] of;} words_t;
+  logic [Bits-1:0]  shadow;
+  logic             queued_q, write;
+  logic [Slots-1:0] write_hits, read_hits;
+  words_t           shown;  // what each slot gives a read
 
   assign write         = write_i && !queued_q;
   assign write_hit_o   = write_hits != '0;
   assign read_hit_o    = read_hits != '0;
   assign frame_valid_o = queued_q;
-  assign frame_o       = shadow[0 +: FrameBits];
-  assign areas_o       = shadow[FrameBits +: AreasBits];
-  assign picture_o     = shadow[Bits-1:FrameBits+AreasBits];
+  assign {picture_o, areas_o, frame_o} = shadow;
 
   for (genvar i = 0; i < Slots; i += 1) begin : gen_slot
-    localparam int unsigned Offset = 32'(pipegs_pkg::ControlSlotTable[56*i+40 +: 16]);
-    localparam int unsigned At     = 32'(pipegs_pkg::ControlSlotTable[56*i+24 +: 16]);
-    localparam int unsigned Width  = 32'(pipegs_pkg::ControlSlotTable[56*i+16 +: 8]);
-    localparam int unsigned Shift  = 32'(pipegs_pkg::ControlSlotTable[56*i+8 +: 8]);
-    localparam bit          Signed = pipegs_pkg::ControlSlotTable[56*i];
+    localparam logic [55:0] Slot   = pipegs_pkg::ControlSlotTable[56*i +: 56];
+    localparam int unsigned Offset = 32'(Slot[55:40]);
+    localparam int unsigned At     = 32'(Slot[39:24]);
+    localparam int unsigned Width  = 32'(Slot[23:16]);
+    localparam int unsigned Shift  = 32'(Slot[15:8]);
+    localparam bit          Signed = Slot[0];
 
     assign write_hits[i] = write_word_i[WordW-1:1] == (WordW-1)'(Offset / 8);
     assign read_hits[i]  = read_word_i[WordW-1:1] == (WordW-1)'(Offset / 8);
@@ -71,17 +69,17 @@ module pipegs_control_shadow #(
         .write_data_i,
         .write_mask_i,
         .read_word_i,
-        .read_data_o(shown[32*i +: 32]),
+        .read_data_o(shown.of[i]),
         .value_o(shadow[At +: Width])
       );
     end else begin : gen_absent
-      assign shown[32*i +: 32] = '0;
+      assign shown.of[i] = '0;
     end
   end
 
   always_comb begin
     read_data_o = '0;
-    for (int unsigned i = 0; i < Slots; i += 1) read_data_o |= shown[32*i +: 32];
+    for (int unsigned i = 0; i < Slots; i += 1) read_data_o |= shown.of[i];
   end
 
   always_ff @(posedge clk_i or negedge rst_ni) begin

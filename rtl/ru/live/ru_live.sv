@@ -82,7 +82,13 @@ module ru_live #(
   // --- a window begins -----------------------------------------------------------------------------------------------
   logic             clear_q;
   logic [Side-1:0]  columns_out, rows_out;  // columns and rows of quads outside the image
-  logic [Groups*Words-1:0] outside, stopped;  // [group, slot, row]: as the groups hold them
+  typedef struct packed {logic [Groups-1:0][Words-1:0] outside, stopped;} words_t;  // of each group
+  typedef struct packed {logic [Groups*Slots-1:0][3:0] of;} rows_t;                 // of each group's slots
+  typedef struct packed {logic [Slots-1:0][Units-1:0] of;} slots_t;                 // a slot's regions
+  logic [Groups*Words-1:0] outside;  // [group, slot, row]: as the groups hold them
+  words_t              words;
+  rows_t               stopped;
+  slots_t              own_out;             // own regions whose pixels do not go to memory
   logic [Slots-1:0]    slots_out;           // slots whose pixels do not go to memory
   logic [Slots-1:0]    slots_stopped;
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -109,33 +115,39 @@ module ru_live #(
       end
     end
   end
+  assign words.outside = outside;
+  assign stopped       = words.stopped;
+  assign own_out       = own_i & unwritten_i;
   for (genvar i = 0; i < Slots; i += 1) begin : gen_slot
     logic [Groups-1:0] all;
     for (genvar g = 0; g < Groups; g += 1) begin : gen_all
-      assign all[g] = stopped[g*Words+4*i +: 4] == '1;
+      assign all[g] = stopped.of[g*Slots+i] == '1;
     end
     assign slots_stopped[i] = all == '1;
-    assign slots_out[i]     = (own_i[i*Units +: Units] & unwritten_i[i*Units +: Units]) != '0;
+    assign slots_out[i]     = own_out.of[i] != '0;
   end
   for (genvar i = 0; i < Regions; i += 1) begin : gen_done
     assign done_o[i] = own_i[i] && !clear_q && slots_stopped[i/Units];
   end
 
   // --- splats -> regions -> powers -----------------------------------------------------------------------------------
-  typedef struct packed {logic [Groups-1:0][PairW-1:0] of;} pairs_t;
+  typedef struct packed {  // of each group
+    logic [Groups-1:0][1:0]       live;
+    logic [Groups-1:0][PairW-1:0] of;
+  } pairs_t;
   logic                         region_valid, region_ready, regions_busy, power_busy, end_valid, ended;
   logic [pipegs_pkg::KindW-1:0] end_kind;
   pipegs_pkg::region_t          region;
   logic [ColorsW-1:0]           region_color, color;
   logic [Groups-1:0]            half_valid, half_ready, group_issue, group_busy;
-  logic [Groups*2-1:0]          half_live;
   pairs_t                       pairs;
   logic                         half;
   logic [RegionW-1:0]           half_region;
   logic [TapIndexW-1:0]         half_index;
 
   logic [Slots-1:0]             held;
-  logic [Regions-1:0]           held_regions, wants;
+  logic [Regions-1:0]           wants;
+  slots_t                       held_regions, own_wants;
   logic                         drained;
 
   ru_regions u_regions (
@@ -167,8 +179,8 @@ module ru_live #(
     .color_i(region_color),
     .out_push_o(half_valid),
     .out_room_i(half_ready),
-    .out_live_o(half_live),
-    .out_o(pairs),
+    .out_live_o(pairs.live),
+    .out_o(pairs.of),
     .out_half_o(half),
     .out_region_o(half_region),
     .out_color_o(color),
@@ -198,9 +210,10 @@ module ru_live #(
   end
   always_ff @(posedge clk_i) odd_q <= {odd_q[1:0], job_address[0]};
 
+  assign own_wants = wants & own_i;
   for (genvar i = 0; i < Slots; i += 1) begin : gen_held
-    assign held_regions[i*Units +: Units] = {Units{held[i]}};
-    assign wanted_o[i] = (wants[i*Units +: Units] & own_i[i*Units +: Units]) != '0;
+    assign held_regions.of[i] = {Units{held[i]}};
+    assign wanted_o[i]        = own_wants.of[i] != '0;
   end
   ru_drain u_drain (
     .clk_i,
@@ -232,6 +245,15 @@ module ru_live #(
   // --- quads ---------------------------------------------------------------------------------------------------------
   typedef struct packed {logic [Groups-1:0][BankW-1:0] of;} banks_t;
   banks_t banks, written;  // what each bank shows, and is given
+  typedef struct packed {
+    logic [Groups-1:0][TapIndexW-1:0]            index;
+    logic [Groups-1:0][RegionW-1:0]              quad_region, word_region;
+    logic [Groups-1:0][1:0]                      quad_row, word_row;
+    logic [Groups-1:0][pipegs_pkg::TapLineW-1:0] quad;
+  } taps_t;
+  taps_t taps;
+  assign {tap_line_index_o, tap_line_region_o, tap_word_region_o, tap_line_quarter_o, tap_word_quarter_o, tap_line_o} =
+         taps;
   for (genvar g = 0; g < Groups; g += 1) begin : gen_group
     logic             read, write;
     logic [AddrW-1:0] raddr, waddr;
@@ -242,7 +264,7 @@ module ru_live #(
       .rst_ni,
       .in_valid_i(half_valid[g]),
       .in_ready_o(half_ready[g]),
-      .in_live_i(half_live[2*g +: 2]),
+      .in_live_i(pairs.live[g]),
       .in_i(pairs.of[g]),
       .in_half_i(half),
       .in_region_i(half_region),
@@ -251,10 +273,10 @@ module ru_live #(
       .drain_i(job),
       .drain_address_i(job_address),
       .clear_i(clear_q),
-      .outside_i(outside[g*Words +: Words]),
+      .outside_i(words.outside[g]),
       .columns_i,
       .rows_i,
-      .stopped_o(stopped[g*Words +: Words]),
+      .stopped_o(words.stopped[g]),
       .read_o(read),
       .raddr_o(raddr),
       .rdata_i(rdata),
@@ -264,13 +286,13 @@ module ru_live #(
       .issue_o(group_issue[g]),
       .busy_o(group_busy[g]),
       .tap_quad_valid_o(tap_line_valid_o[g]),
-      .tap_quad_index_o(tap_line_index_o[g*TapIndexW +: TapIndexW]),
-      .tap_quad_region_o(tap_line_region_o[g*RegionW +: RegionW]),
-      .tap_quad_row_o(tap_line_quarter_o[2*g +: 2]),
-      .tap_quad_o(tap_line_o[g*pipegs_pkg::TapLineW +: pipegs_pkg::TapLineW]),
+      .tap_quad_index_o(taps.index[g]),
+      .tap_quad_region_o(taps.quad_region[g]),
+      .tap_quad_row_o(taps.quad_row[g]),
+      .tap_quad_o(taps.quad[g]),
       .tap_word_valid_o(tap_word_valid_o[g]),
-      .tap_word_region_o(tap_word_region_o[g*RegionW +: RegionW]),
-      .tap_word_row_o(tap_word_quarter_o[2*g +: 2])
+      .tap_word_region_o(taps.word_region[g]),
+      .tap_word_row_o(taps.word_row[g])
     );
     assign written.of[g] = wdata;
 
