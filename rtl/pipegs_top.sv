@@ -72,7 +72,12 @@ module pipegs_top #(
   logic                                     alphas_full, sorting_full, scene_bad, stop;
   logic [pipegs_pkg::AddressW-1:0]          pixels_room;  // lines
   logic [pipegs_pkg::AddressW-1:0]          alphas_full_line, sorting_full_line, scene_bad_line;
-  logic [PerfUnits*2-1:0]                   perf_state;
+  typedef struct packed {logic [PerfUnits-1:0][1:0] of;} states_t;
+  typedef struct packed {logic [PerfUnits-1:0][4*PerfW-1:0] of;} counts_t;
+  states_t                                  perf_state;
+  counts_t                                  counts;
+  logic [2*(1+Units)-1:0]                   front_perf;
+  logic [2*Units-1:0]                       sorting_perf, raster_perf;
 
   pipegs_pkg::memory_reads_t                reads;
   pipegs_pkg::memory_reads_answer_t         reads_answer;
@@ -168,7 +173,7 @@ module pipegs_top #(
     .bad_line_o(scene_bad_line),
     .overflow_o(overflow_alpha),
     .busy_o(front_busy),
-    .perf_o(perf_state[0 +: 2*(1+Units)]),
+    .perf_o(front_perf),
     .tap_chunk_valid_o(tap_chunk_valid),
     .tap_chunk_o(tap_chunk)
   );
@@ -198,7 +203,7 @@ module pipegs_top #(
     .written_o(written),
     .overflow_o(overflow_sort),
     .busy_o(sorting_busy),
-    .perf_o(perf_state[2*(1+Units) +: 2*Units]),
+    .perf_o(sorting_perf),
     .tap_splat_valid_o(tap_splat_valid),
     .tap_splat_o(tap_splat)
   );
@@ -225,7 +230,7 @@ module pipegs_top #(
     .layer_done_o(layer_done),
     .window_done_o(window_done),
     .busy_o(raster_busy),
-    .perf_o(perf_state[2*(1+2*Units) +: 2*Units]),
+    .perf_o(raster_perf),
     .taps_o(taps)
   );
 
@@ -274,14 +279,16 @@ module pipegs_top #(
     .stop_o(stop)
   );
 
+  assign perf_state = {raster_perf, sorting_perf, front_perf};
+  assign perf_o = counts;
   for (genvar i = 0; i < PerfUnits; i += 1) begin : gen_perf
     pipegs_perf u_perf (
       .clk_i,
       .rst_ni,
       .restart_i(begins),
       .running_i(running),
-      .state_i(perf_state[2*i +: 2]),
-      .counts_o(perf_o[i*4*PerfW +: 4*PerfW])
+      .state_i(perf_state.of[i]),
+      .counts_o(counts.of[i])
     );
   end
 
