@@ -10,7 +10,7 @@ from sources import PHOTOGRAPHS, ROOT, SCENES, digest, hash_of, named_machine
 # a: models, counts, decibels, seconds to minutes: measured by every `make figures`. b: frames in RTL. c: synthesis,
 # FPGAs, training, proofs, viewers. b and c are measured when what decides them has changed. A part named here makes a
 # measurement at least of that class. d: full runs of what `make test` runs in part: hours, so nobody but who names them
-# measures them, and they are never called stale: pages say what of the RTL has changed since.
+# measures them, or hears from --check that the RTL has changed since.
 CLASS_OF = {"rtl": "b", "synth": "c", "fpga": "c", "train": "c", "proofs": "c", "page": "c", "coverage": "c",
             "runs": "d"}  # fmt: skip
 CLASSES = {
