@@ -15,6 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t kLongestName = 255;  // of a file or folder, in all file systems that matter
+
 [[noreturn]] void refuse(const std::string& option, const fs::path& path, const std::string& what) {
   throw InputError(fmt::format("{} {}", option, quote(path.string())), "", "cannot be written: " + what);
 }
@@ -29,6 +31,11 @@ fs::file_status status_of(const std::string& option, const fs::path& asked, cons
 // Whether folders below `folder`, and files in them, can be made.
 void try_to_write(const std::string& option, const fs::path& asked, fs::path folder) {
   if (folder.empty()) folder = ".";
+  for (const fs::path& part : folder) {
+    if (part.string().size() > kLongestName)
+      refuse(option, asked,
+             fmt::format("found a name of {} bytes, expected at most {}", part.string().size(), kLongestName));
+  }
   std::error_code error;
   while (!fs::exists(status_of(option, asked, folder))) {
     if (fs::is_symlink(fs::symlink_status(folder, error)))

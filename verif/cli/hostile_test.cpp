@@ -142,6 +142,20 @@ TEST_F(Hostile, AReportHoldsNoPictureWhole) {
   EXPECT_EQ(shown(outcome.out, true), outcome.out);
 }
 
+// Nor does a comparison with a picture of another size.
+TEST_F(Hostile, APictureOfAnotherSizeIsNotDecoded) {
+  write_black(folder_ / "black.png", 12000);
+  const Outcome outcome =
+      run("render" + view_.substr(0, view_.find(" --no-rtl")) + " --compare black.png --out o", "ulimit -v 400000; ");
+  expect_one_line(outcome, 2, "black.png: found 12000x12000 pixels, expected ");
+}
+
+// A folder whose name no file system has.
+TEST_F(Hostile, PlacesAndNamesThatAreNoneAreFoundFirst) {
+  expect_told("render scene.ply --out o/" + std::string(300, 'n'), "found a name of 300 bytes, expected at most 255");
+  EXPECT_FALSE(fs::exists(folder_ / "o"));
+}
+
 // One texture under six names counts once.
 TEST_F(Hostile, BytesThatAreNamedOftenCountOnce) {
   const int side = 1000;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // render.cpp: `pipegs render`: the pictures of one view or several without the RTL.
 #include <fmt/format.h>
+#include <png.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -33,12 +34,16 @@ struct RenderArguments {
 // The picture to compare with, read before anything is rendered.
 std::optional<Rgb8> read_other(const std::string& path, const Camera& camera, const SimulateOptions& options) {
   if (path.empty()) return std::nullopt;
-  Rgb8 other = read_png8(path);
   const PixelRect r = asked_pixels(camera.width, camera.height, options);
-  const int width = r.x1 - r.x0, height = r.y1 - r.y0;
-  if (other.width == width && other.height == height) return other;
-  throw InputError(path, "",
-                   fmt::format("found {}x{} pixels, expected {}x{}", other.width, other.height, width, height));
+  const auto width = static_cast<png_uint_32>(r.x1 - r.x0), height = static_cast<png_uint_32>(r.y1 - r.y0);
+  // Of its size before it is decoded: a few kilobytes may hold a gigabyte.
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  const bool read = png_image_begin_read_from_file(&png, path.c_str()) != 0;
+  png_image_free(&png);
+  if (read && (png.width != width || png.height != height))
+    throw InputError(path, "", fmt::format("found {}x{} pixels, expected {}x{}", png.width, png.height, width, height));
+  return read_png8(path);  // refuses what is no PNG
 }
 
 // Prints how the written picture differs from another one, in 8-bit codes; whether it does.
