@@ -21,6 +21,7 @@ namespace pipegs {
 namespace {
 
 constexpr double kOrthonormalTolerance = 1e-4;
+constexpr double kFarthestCamera = 1e12;  // beyond that it is no place, and its square is no number
 
 std::vector<Camera> cameras_of(const JsonNode& json, const CameraReading& reading, Findings& findings) {
   if (json.is_array()) {
@@ -49,9 +50,15 @@ std::vector<Camera> cameras_of(const JsonNode& json, const CameraReading& readin
 }
 
 // At the size that was asked for, whatever the file says.
-std::vector<Camera> sized(std::vector<Camera> cameras, const CameraReading& reading) {
+std::vector<Camera> sized(const std::string& file, std::vector<Camera> cameras, const CameraReading& reading) {
   for (Camera& camera : cameras) {
     camera.name = one_line(camera.name);  // it stands in tables
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!(std::abs(camera.position[axis]) <= kFarthestCamera))
+        throw InputError(
+            file, fmt::format("camera {}, position", quote(camera.name)),
+            fmt::format("found {:g}, expected a number of at most {:g}", camera.position[axis], kFarthestCamera));
+    }
     const bool same = camera.width == reading.width && camera.height == reading.height;
     if (reading.width > 0 && !same) camera = resized(camera, reading.width, reading.height);
   }
@@ -62,7 +69,7 @@ std::vector<Camera> parsed(const std::string& file, std::string_view text, const
                            Findings& findings) {
   refuse_foreign(file, text, "a file of cameras");
   if (text.starts_with("ply")) throw InputError(file, "", "found a .ply, expected a file of cameras");
-  return sized(cameras_of(JsonNode::parse(file, text), reading, findings), reading);
+  return sized(file, cameras_of(JsonNode::parse(file, text), reading, findings), reading);
 }
 
 // The file of cameras in a folder that holds no model of COLMAP; nothing without one.
@@ -73,6 +80,14 @@ std::filesystem::path camera_file_of(const std::filesystem::path& folder) {
   }
   for (const char* name : {"cameras.json", "transforms.json"}) {
     if (std::filesystem::is_regular_file(folder / name, ignored)) return folder / name;
+  }
+  for (const char* name : {"transforms_train.json", "transforms_eval.json", "transforms_test.json", "camera_path.json",
+                           "settings.json", "document.json"}) {
+    if (std::filesystem::is_regular_file(folder / name, ignored))
+      throw InputError(folder.string(), "",
+                       fmt::format("found a folder without cameras.json, transforms.json and COLMAP's model, expected "
+                                   "cameras: name the file, such as {}",
+                                   quote(name)));
   }
   return {};
 }
@@ -115,12 +130,14 @@ std::vector<Camera> read_cameras(const std::filesystem::path& path, const Camera
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) {
     const std::filesystem::path inside = camera_file_of(path);
-    if (inside.empty()) return sized(colmap_folder_cameras(path, reading.ignore_distortion, findings), reading);
+    if (inside.empty())
+      return sized(path.string(), colmap_folder_cameras(path, reading.ignore_distortion, findings), reading);
     findings.emplace_back("camera_folder",
                           fmt::format("the cameras of the folder are those of {}", quote(inside.filename().string())));
     return read_cameras(inside, reading, findings);
   }
-  if (is_colmap_name(path)) return sized(colmap_folder_cameras(path, reading.ignore_distortion, findings), reading);
+  if (is_colmap_name(path))
+    return sized(path.string(), colmap_folder_cameras(path, reading.ignore_distortion, findings), reading);
   return parsed(path.string(), read_text_file(path, "a file of cameras", kMostJsonBytes), reading, findings);
 }
 

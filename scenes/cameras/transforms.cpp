@@ -34,9 +34,9 @@ class Frame {
   Frame(JsonNode own, const JsonNode& above) : own_(std::move(own)), above_(above) {}
 
   const JsonNode& own() const { return own_; }
-  bool has(const char* field) const { return own_.has(field) || above_.has(field); }
+  bool has(const char* field) const { return says(own_, field) || says(above_, field); }
   JsonNode operator[](const char* field) const {
-    return (above_.has(field) && !own_.has(field) ? above_ : own_)[field];
+    return (says(above_, field) && !says(own_, field) ? above_ : own_)[field];
   }
   double real_or(const char* field, double otherwise) const { return has(field) ? (*this)[field].real() : otherwise; }
   std::string text_or(const char* field, const std::string& otherwise) const {
@@ -44,6 +44,8 @@ class Frame {
   }
 
  private:
+  static bool says(const JsonNode& node, const char* field) { return node.has(field) && !node[field].is_null(); }
+
   JsonNode own_;
   const JsonNode& above_;
 };
@@ -178,7 +180,9 @@ void find_size(const Frame& frame, const CameraReading& reading, Camera& camera)
     return;
   }
   if (reading.width == 0 && frame.has("file_path")) {
-    fs::path picture = fs::path(frame.own().file()).parent_path() / frame["file_path"].text();
+    std::string name = frame["file_path"].text();
+    std::replace(name.begin(), name.end(), '\\', '/');  // as Windows writes it
+    fs::path picture = fs::path(frame.own().file()).parent_path() / name;
     if (!picture.has_extension()) picture += ".png";
     if (png_size(picture, camera)) return;
   }

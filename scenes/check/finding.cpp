@@ -40,8 +40,8 @@ constexpr std::array kFindingKinds = {
     // Cameras.
     FindingKind{"applied_scale", kNote}, FindingKind{"nerfstudio_export", kNote}, FindingKind{"exported_poses", kNote},
     FindingKind{"camera_folder", kNote}, FindingKind{"unused_lens", kNote}, FindingKind{"no_2d_points", kNote},
-    FindingKind{"backslashes", kNote}, FindingKind{"ply_points", kNote}, FindingKind{"other_ending", kNote},
-    FindingKind{"test_list", kNote},
+    FindingKind{"backslashes", kNote}, FindingKind{"whole_paths", kNote}, FindingKind{"ply_points", kNote},
+    FindingKind{"other_ending", kNote}, FindingKind{"test_list", kNote},
     // Photographs.
     FindingKind{"turned_photographs", kNote}, FindingKind{"resized_photographs", kNote},
     FindingKind{"converted_photographs", kNote}, FindingKind{"deep_photographs", kNote},

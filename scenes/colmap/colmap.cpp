@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 #include <map>
@@ -71,28 +72,37 @@ fs::path model_file(const fs::path& model, const std::string& name) {
 
 std::string read_file(const fs::path& path) {
   std::string bytes = read_text_file(path, "a file of COLMAP's model", kMostBytes);
-  if (bytes.starts_with("version https://git-lfs") || bytes.starts_with("<"))  // binary files may begin with anything
+  const bool text = path.extension() == ".txt";
+  // Binary files may begin with anything, a text with the comment by which it is known elsewhere.
+  const bool comment = text && without_mark(bytes).starts_with("#");
+  if (bytes.starts_with("version https://") || bytes.starts_with("<") || (text && !comment && !bytes.empty()))
     refuse_foreign(path.string(), bytes, "a file of COLMAP's model");
-  return bytes;
+  return text ? std::string(without_mark(bytes)) : bytes;
 }
 
-// Names as Windows writes them.
-void take_backslashes(std::vector<ColmapPose>& poses, Findings& findings) {
-  std::size_t turned = 0;
+// Names as Windows writes them, or as paths of the computer that they come from.
+void take_names(std::vector<ColmapPose>& poses, Findings& findings) {
+  std::size_t turned = 0, whole = 0;
   for (ColmapPose& pose : poses) {
-    if (pose.name.find('\\') == std::string::npos) continue;
+    turned += pose.name.find('\\') != std::string::npos;
     std::replace(pose.name.begin(), pose.name.end(), '\\', '/');
-    ++turned;
+    const bool drive = pose.name.size() > 2 && pose.name.compare(1, 2, ":/") == 0;
+    if (!drive && !pose.name.starts_with('/')) continue;
+    pose.name = fs::path(pose.name).filename().string();
+    ++whole;
   }
   if (turned > 0)
     findings.emplace_back("backslashes",
                           fmt::format("backslashes in {} names of photographs are taken as slashes", turned));
+  if (whole > 0)
+    findings.emplace_back("whole_paths",
+                          fmt::format("{} names of photographs are whole paths: their last part is taken", whole));
 }
 
 std::vector<Camera> cameras_of(const fs::path& lens_file, const fs::path& pose_file, bool ignore_distortion,
                                Findings& findings) {
   std::vector<ColmapPose> poses = parse_colmap_poses(pose_file.string(), read_file(pose_file), &findings);
-  take_backslashes(poses, findings);
+  take_names(poses, findings);
   const auto lenses =
       parse_colmap_lenses(lens_file.string(), read_file(lens_file), ignore_distortion, &poses, &findings);
   return colmap_cameras(pose_file.string(), lenses, poses);
@@ -144,37 +154,62 @@ std::vector<ScenePoint> read_points(const fs::path& model, fs::path& file, Findi
   return parse_colmap_points(file.string(), read_file(file));
 }
 
-// Names in the folder of photographs, with slashes, by what they are without their ending.
+std::string lower(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+// Names in the folder of photographs, with slashes, by what they are without folder and ending, in small letters.
 using Photographs = std::multimap<std::string, std::string>;
+
+std::string stem_of(const fs::path& name) { return lower(name.stem().string()); }
 
 Photographs photographs_in(const fs::path& images) {
   std::error_code ignored;
   Photographs found;
   for (const auto& entry : fs::recursive_directory_iterator(images, ignored)) {
     const fs::path name = entry.path().lexically_relative(images);
-    if (entry.is_regular_file(ignored)) found.emplace((name.parent_path() / name.stem()).string(), name.string());
+    if (entry.is_regular_file(ignored)) found.emplace(stem_of(name), name.string());
   }
   return found;
 }
 
-// Each camera's photograph is that of its name, or the only one of another ending.
+// The photograph that is meant by a name under which there is none: in the same folder, or in all of them, the only one
+// that has it but for its ending and its letters' case. Empty without one.
+std::string photograph_like(const Photographs& photographs, const fs::path& name) {
+  const auto [first, last] = photographs.equal_range(stem_of(name));
+  const auto in_folder = [&](const auto& one) {
+    return lower(fs::path(one.second).parent_path().string()) == lower(name.parent_path().string());
+  };
+  const auto near = std::find_if(first, last, in_folder);
+  if (near != last && std::count_if(first, last, in_folder) == 1) return near->second;
+  return std::distance(first, last) == 1 ? first->second : "";
+}
+
+// Each camera's photograph is that of its name, or one like it that is no other's.
 void find_photographs(const Photographs& photographs, const fs::path& pose_file, ColmapFolder& folder,
                       Findings& findings) {
   std::error_code ignored;
   std::size_t renamed = 0;
+  std::set<std::string> taken;
+  std::vector<Camera*> others;
   for (Camera& camera : folder.cameras) {
-    if (fs::is_regular_file(folder.images / camera.name, ignored)) continue;
-    const fs::path name(camera.name);
-    const auto [first, last] = photographs.equal_range((name.parent_path() / name.stem()).string());
-    if (std::distance(first, last) != 1)
-      throw InputError(pose_file.string(), fmt::format("image {}", quote(camera.name)),
+    if (fs::is_regular_file(folder.images / camera.name, ignored))
+      taken.insert(fs::path(camera.name).lexically_normal().string());
+    else others.push_back(&camera);
+  }
+  for (Camera* camera : others) {
+    const std::string found = photograph_like(photographs, camera->name);
+    if (found.empty() || !taken.insert(found).second)
+      throw InputError(pose_file.string(), fmt::format("image {}", quote(camera->name)),
                        fmt::format("found no photograph of this name in {}", quote(folder.images.string())));
-    camera.name = first->second;
+    camera->name = found;
     ++renamed;
   }
   if (renamed > 0)
-    findings.emplace_back("other_ending", fmt::format("{} of {} photographs have another ending than the model says",
-                                                      renamed, folder.cameras.size()));
+    findings.emplace_back("other_ending",
+                          fmt::format("{} of {} photographs have another folder, ending or case than the model says",
+                                      renamed, folder.cameras.size()));
   if (photographs.size() > folder.cameras.size())
     findings.emplace_back("more_photographs",
                           fmt::format("{} of {} files in images belong to no camera of the model and are "

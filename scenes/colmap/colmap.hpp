@@ -6,7 +6,8 @@
 // Idea    COLMAP's q, t: camera_space = R(q) p + t, so the camera stands at -R^T t. Its pixel i has its centre at
 //         i + 0.5, ours at i: both principal points are half a pixel less here.
 // Rule    PINHOLE and SIMPLE_PINHOLE only: a lens that bends rays is taken out before (colmap image_undistorter). Where
-//         that is to be ignored, SIMPLE_RADIAL, RADIAL, OPENCV and FULL_OPENCV are pinholes with their focal lengths.
+//         that is to be ignored, or all its distortion is 0, SIMPLE_RADIAL, RADIAL, OPENCV and FULL_OPENCV are pinholes
+//         with their focal lengths.
 //         Cameras come in the order of their photographs' names, whatever order the file has.
 // Errors  InputError with file, element and field; whether the photographs are there is seen here, what is in them not.
 #pragma once

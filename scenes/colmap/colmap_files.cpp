@@ -37,24 +37,36 @@ constexpr std::string_view kModels[] = {"SIMPLE_PINHOLE",
                                         "SIMPLE_RADIAL_FISHEYE",
                                         "RADIAL_FISHEYE",
                                         "THIN_PRISM_FISHEYE",
-                                        "RAD_TAN_THIN_PRISM_FISHEYE"};
+                                        "RAD_TAN_THIN_PRISM_FISHEYE",
+                                        "SIMPLE_DIVISION",
+                                        "DIVISION",
+                                        "SIMPLE_FISHEYE",
+                                        "FISHEYE",
+                                        "EUCM",
+                                        "EQUIRECTANGULAR"};
 
-constexpr std::size_t kParameters[std::size(kModels)] = {3, 4, 4, 5, 8, 8, 12, 5, 4, 5, 12, 16};
+constexpr std::size_t kParameters[std::size(kModels)] = {3, 4, 4, 5, 8, 8, 12, 5, 4, 5, 12, 16, 4, 5, 3, 4, 6, 2};
 
-// Whether a line of images.txt is an image: nine numbers and a name that is none. 2D points are numbers alone.
+bool is_number(std::string_view word) {
+  try {
+    parse_real(word);
+  } catch (const NumberError&) { return false; }
+  return true;
+}
+
+// Whether a line of images.txt is an image: nine numbers and a name, of which words may be numbers too. 2D points are
+// numbers alone, three each.
 bool is_image(std::string_view line) {
-  for (int word = 0; word < 10; ++word) {
-    const std::size_t begin = line.find_first_not_of(kBlanks);
-    if (begin == line.npos) return false;
+  std::string_view last;
+  int words = 0;
+  for (std::size_t begin; (begin = line.find_first_not_of(kBlanks)) != line.npos; ++words) {
     const std::size_t end = std::min(line.find_first_of(kBlanks, begin), line.size());
-    bool number = true;
-    try {
-      parse_real(line.substr(begin, end - begin));
-    } catch (const NumberError&) { number = false; }
-    if (number != (word < 9)) return false;
+    last = line.substr(begin, end - begin);
+    if (words < 9 && !is_number(last)) return false;
+    if (words == 9 && !is_number(last)) return true;
     line.remove_prefix(end);
   }
-  return true;
+  return words > 9 && (words % 3 != 0 || !is_number(last));
 }
 
 class LineFields {
@@ -193,8 +205,16 @@ struct Parameters {
   std::size_t all() const { return focal + 2 + bent; }
 };
 
-// InputError for a model that bends rays, unless that can be ignored.
-Parameters parameters_of(const std::string& file, const std::string& where, std::string_view model, bool ignore) {
+[[noreturn]] void refuse_lens(const std::string& file, const std::string& where, std::string_view model,
+                              const char* otherwise) {
+  throw InputError(file, where + ", model",
+                   fmt::format("found {}, expected PINHOLE or SIMPLE_PINHOLE; take the distortion out with colmap "
+                               "image_undistorter{}",
+                               quote(model), otherwise));
+}
+
+// InputError for a model that is no pinhole with an error.
+Parameters parameters_of(const std::string& file, const std::string& where, std::string_view model) {
   if (model == kModels[0]) return {1, 0};
   if (model == kModels[1]) return {2, 0};
   const std::size_t focal = model.starts_with("SIMPLE_RADIAL") || model == "RADIAL" ? 1 : 2,
@@ -203,11 +223,8 @@ Parameters parameters_of(const std::string& file, const std::string& where, std:
                            : model == "OPENCV"      ? 4
                            : model == "FULL_OPENCV" ? 8
                                                     : 0;
-  if (ignore && bent > 0) return {focal, bent};
-  throw InputError(file, where + ", model",
-                   fmt::format("found {}, expected PINHOLE or SIMPLE_PINHOLE; take the distortion out with colmap "
-                               "image_undistorter{}",
-                               quote(model), bent > 0 ? ", or --ignore-distortion" : ""));
+  if (bent == 0) refuse_lens(file, where, model, "");
+  return {focal, bent};
 }
 
 ColmapLens lens_of(const std::string& file, const std::string& where, std::uint32_t id, std::uint64_t width,
@@ -252,12 +269,16 @@ std::vector<ColmapLens> parse_colmap_lenses(const std::string& file, std::string
         fields.skip_lens(model);
         continue;
       }
-      const Parameters kind = parameters_of(file, where, model, ignore_distortion);
+      const Parameters kind = parameters_of(file, where, model);
       const auto width = fields.template integer<std::uint64_t>("width"),
                  height = fields.template integer<std::uint64_t>("height");
       std::vector<double> parameters(kind.all());
       for (double& parameter : parameters) parameter = fields.real("parameters");
       fields.end_of_lens(parameters.size());
+      const auto bends = [](double parameter) { return parameter != 0; };
+      if (!ignore_distortion &&
+          std::any_of(parameters.end() - static_cast<std::ptrdiff_t>(kind.bent), parameters.end(), bends))
+        refuse_lens(file, where, model, ", or --ignore-distortion");
       lenses.push_back(lens_of(file, where, id, width, height, parameters, kind.focal));
       if (!ids.insert(id).second)
         throw InputError(file, where, fmt::format("found camera id {} twice, expected it once", id));

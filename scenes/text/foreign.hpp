@@ -11,8 +11,17 @@
 
 namespace pipegs {
 
+// Whether a text of ASCII has this byte.
+inline bool is_printable(unsigned char c) { return (c >= ' ' && c <= '~') || (c >= '\t' && c <= '\r'); }
+
 // "a Git LFS pointer, not the file itself: git lfs pull fetches it"; empty when it is nothing that is known.
 std::string foreign_kind(std::string_view begin);
+
+// The mark of UTF-8 that Windows puts before a text, which means nothing.
+inline constexpr std::string_view kUtf8Mark = "\xef\xbb\xbf";
+inline std::string_view without_mark(std::string_view text) {
+  return text.substr(text.starts_with(kUtf8Mark) ? kUtf8Mark.size() : 0);
+}
 
 // InputError that says so when the bytes are foreign; what `expected` is, such as "a scene".
 void refuse_foreign(const std::string& file, std::string_view begin, std::string_view expected);

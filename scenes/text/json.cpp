@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "scenes/input_error.hpp"
+#include "scenes/text/foreign.hpp"
 #include "scenes/text/text_file.hpp"
 
 namespace pipegs {
@@ -32,7 +33,7 @@ class Builder final : public nlohmann::json_sax<Json> {
  public:
   using Text = typename Json::string_t;
 
-  explicit Builder(const std::string& file) : file_(file) {}
+  Builder(const std::string& file, std::string_view whole) : file_(file), whole_(whole) {}
   Json take() { return std::move(root_); }
 
   bool null() override { return add(nullptr); }
@@ -61,6 +62,7 @@ class Builder final : public nlohmann::json_sax<Json> {
   }
   bool parse_error(std::size_t, const std::string&, const typename Json::exception& error) override {
     const std::string_view what = error.what();  // names line and column
+    refuse_foreign(file_, whole_, "JSON");
     throw InputError(file_, "", fmt::format("not JSON: {}", what.substr(0, kLongestSyntax)));
   }
 
@@ -129,6 +131,7 @@ class Builder final : public nlohmann::json_sax<Json> {
   }
 
   const std::string& file_;
+  std::string_view whole_;
   Json root_;
   std::vector<Level> levels_;
   std::uint64_t memory_ = 0;
@@ -168,7 +171,7 @@ template <typename Json>
 Json parse_json(const std::string& file, std::string_view text) {
   const std::optional<std::string> plain = without_python_numbers(text);
   if (plain) text = *plain;
-  Builder<Json> builder(file);
+  Builder<Json> builder(file, text);
   Json::sax_parse(text.begin(), text.end(), &builder);
   return builder.take();
 }

@@ -150,8 +150,12 @@ TEST_F(Hostile, APictureOfAnotherSizeIsNotDecoded) {
   expect_one_line(outcome, 2, "black.png: found 12000x12000 pixels, expected ");
 }
 
-// A folder whose name no file system has.
+// A camera whose distance has no square, and a folder whose name no file system has.
 TEST_F(Hostile, PlacesAndNamesThatAreNoneAreFoundFirst) {
+  write("far.json", R"([{"img_name":"a","width":64,"height":48,"fx":60,"fy":60,"position":[1e300,0,-4],)"
+                    R"("rotation":[[1,0,0],[0,1,0],[0,0,1]]}])");
+  for (const char* command : {"sim scene.ply --no-rtl", "render scene.ply"})
+    expect_told(std::string(command) + " --cameras far.json --out o", "far.json: camera 'a', position: found 1e+300");
   expect_told("render scene.ply --out o/" + std::string(300, 'n'), "found a name of 300 bytes, expected at most 255");
   EXPECT_FALSE(fs::exists(folder_ / "o"));
 }

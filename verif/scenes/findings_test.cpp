@@ -159,21 +159,24 @@ Camera camera_at(const glm::dvec3& position) {
 // A folder of photographs: ten cameras that look at a few points; the photographs are empty files.
 struct Model {
   std::string lenses = "1 PINHOLE 160 120 140 140 80 60\n", points, slash = "/", ending = ".png", between = "\n";
+  std::string before, inside = "sub", stem = "p_", model_ending = ".png";  // of names in images.txt
+  std::string mark;                                                        // UTF-8's, before texts
   ScratchFolder folder;
 
   Findings read(ColmapFolder* out = nullptr) {
     for (const char* inside : {"images/sub", "sparse/0"}) std::filesystem::create_directories(folder / inside);
     std::string images;
     for (int i = 0; i < 10; ++i) {
-      images += fmt::format("{} 1 0 0 0 {} 0 0 1 sub{}p_{}.png\n{}", i + 1, 0.1 * i, slash, i, between);
-      folder.write(fmt::format("images/sub/p_{}{}", i, ending), "");
+      images += fmt::format("{} 1 0 0 0 {} 0 0 1 {}{}{}{}{}{}\n{}", i + 1, 0.1 * i, before, inside, slash, stem, i,
+                            model_ending, between);
+      folder.write(fmt::format("images/sub/{}{}{}", stem, i, ending), "");
     }
-    folder.write("sparse/0/cameras.txt", lenses);
-    folder.write("sparse/0/images.txt", images);
+    folder.write("sparse/0/cameras.txt", mark + lenses);
+    folder.write("sparse/0/images.txt", mark + images);
     if (points.empty()) {
       std::string text;
       for (int i = 0; i < 20; ++i) text += fmt::format("{} {} {} 4 10 20 30 0.5\n", i + 1, 0.1 * i, 0.05 * i);
-      folder.write("sparse/0/points3D.txt", text);
+      folder.write("sparse/0/points3D.txt", mark + text);
     }
     Findings findings;
     const ColmapFolder found = read_colmap(folder / "", false, findings);
@@ -302,6 +305,11 @@ std::map<std::string, std::function<Findings()>> cases() {
   all["backslashes"] = [] {
     Model model;
     model.slash = "\\";
+    return model.read();
+  };
+  all["whole_paths"] = [] {
+    Model model;
+    model.before = "C:\\data\\images\\";
     return model.read();
   };
   all["other_ending"] = [] {
@@ -475,6 +483,31 @@ TEST(Findings, SplatsWithRowsThatAreNoNumbersAreRead) {
   EXPECT_TRUE(read.has("non_finite"));
   EXPECT_TRUE(read_bytes(splat_of(20) + "cut").has("behind_end"));
   expect_one_line([] { read_bytes(std::string(640, '\xff')); }, {"expected a scene"});
+}
+
+// Names of photographs that look like numbers are no 2D points, and a lens that bends nothing is a pinhole.
+TEST(Findings, NoCameraIsLost) {
+  for (const auto& [stem, ending] : {std::pair{"00", ""}, {"12 frame", ".png"}, {"3 4 ", ".png"}}) {
+    Model model;
+    model.between = "";
+    model.inside = model.slash = "";
+    model.stem = stem;
+    model.model_ending = model.ending = ending;
+    ColmapFolder folder;
+    const Findings findings = model.read(&folder);
+    EXPECT_EQ(folder.cameras.size(), 10u) << stem;
+  }
+  for (const char* lens : {"OPENCV 160 120 140 140 80 60 0 0 0 0", "SIMPLE_RADIAL 160 120 140 80 60 0"}) {
+    Model model;
+    model.lenses = std::string("1 ") + lens + "\n";
+    EXPECT_TRUE(model.read().empty()) << lens;
+  }
+  expect_one_line([] { parse_colmap_lenses("cameras.txt", "1 OPENCV 160 120 140 140 80 60 0 0 0 1e-9\n"); },
+                  {"image_undistorter, or --ignore-distortion"});
+  // A photograph is no one's second.
+  Model model;
+  model.slash = "/other/";
+  EXPECT_EQ(model.read().at(0).kind->key, "other_ending");
 }
 
 TEST(Findings, WhatIsWrittenHoldsNumbersAlone) {
