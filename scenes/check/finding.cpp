@@ -31,9 +31,11 @@ constexpr std::array kFindingKinds = {
     // What its reader has mended or left out.
     FindingKind{"axes_unknown", kNote, kOnlyInfo}, FindingKind{"origin", kNote}, FindingKind{"rgb_colors", kNote},
     FindingKind{"opacity_codes", kNote}, FindingKind{"one_scale", kNote}, FindingKind{"other_names", kNote},
-    FindingKind{"not_read", kWarning}, FindingKind{"filter_3d", kNote}, FindingKind{"sh_degree", kNote},
-    FindingKind{"behind_end", kNote}, FindingKind{"gzip_missing", kNote}, FindingKind{"gzip_around", kNote},
-    FindingKind{"log_scales", kNote}, FindingKind{"logit_opacities", kNote}, FindingKind{"linear_colors", kNote},
+    FindingKind{"not_read", kWarning}, FindingKind{"other_elements", kNote}, FindingKind{"filter_3d", kNote},
+    FindingKind{"sh_degree", kNote}, FindingKind{"behind_end", kNote}, FindingKind{"gzip_missing", kNote},
+    FindingKind{"gzip_around", kNote}, FindingKind{"zip_around", kNote}, FindingKind{"guessed", kWarning},
+    FindingKind{"lossy_texture", kWarning}, FindingKind{"log_scales", kNote}, FindingKind{"logit_opacities", kNote},
+    FindingKind{"linear_colors", kNote},
     // A view, a frame.
     FindingKind{"empty_view", kWarning, kTold, kShowsNothing}, FindingKind{"near_plane", kWarning},
     FindingKind{"empty_frame", kWarning}, FindingKind{"left_out", kWarning},

@@ -20,7 +20,8 @@ constexpr std::size_t kFewest = 16, kSample = 200000;
 constexpr double kFaint = 1.0 / 255;
 constexpr double kExtremeAnisotropy = 1e4;
 constexpr double kUnitTolerance = 1e-3;  // INRIA stores what the optimiser left, gsplat unit ones
-constexpr double kOften = 0.9;
+constexpr double kOften = 0.9, kNearlyAll = 0.98;
+constexpr double kOpaque = 0.9;  // as a share of 1; no scene has this logit everywhere
 
 struct Counted {
   std::size_t count = 0, first = 0;
@@ -32,7 +33,7 @@ struct Counted {
 struct Range {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   void add(double value) { low = std::min(low, value), high = std::max(high, value); }
-  bool within(double from, double to) const { return low >= from && high <= to; }
+  bool is_one() const { return low == high; }
 };
 
 // What single Gaussians cannot show.
@@ -41,9 +42,11 @@ struct Whole {
   double away = 0;  // half of them are farther from the origin, along an axis
   std::size_t usable = 0;
   Range log_scale, logit, color;
-  bool whole_colors = true;
+  std::size_t share_logits = 0, share_colors = 0;     // from 0 to 1
   std::array<std::size_t, 4> negative{}, positive{};  // components of the rotation
 };
+
+bool is_share(double value) { return value >= 0 && value <= 1; }
 
 Whole look_at_all(const Scene& scene) {
   Whole all;
@@ -59,12 +62,13 @@ Whole look_at_all(const Scene& scene) {
       axes[static_cast<std::size_t>(k)].push_back(g.mean[k]);
       if (std::isfinite(g.log_scale[k])) logarithms.push_back(g.log_scale[k]), all.log_scale.add(g.log_scale[k]);
       all.color.add(g.sh_dc[k]);
-      all.whole_colors = all.whole_colors && g.sh_dc[k] == std::floor(g.sh_dc[k]);
+      all.share_colors += is_share(g.sh_dc[k]);
     }
     scales.push_back(std::max({active.scale.x, active.scale.y, active.scale.z}));
     const glm::dvec3 place = glm::abs(active.mean);
     away.push_back(std::max({place.x, place.y, place.z}));
     all.logit.add(g.opacity_logit);
+    all.share_logits += is_share(g.opacity_logit);
     for (std::size_t k = 0; k < 4; ++k) {
       const float v = g.rotation[static_cast<int>(k)];
       all.negative[k] += v < 0;
@@ -86,31 +90,36 @@ Whole look_at_all(const Scene& scene) {
 
 void check_forms(const Whole& all, Findings& findings) {
   if (all.usable < kFewest) return;
+  const auto nearly_all = [&](std::size_t count, std::size_t of) {
+    return static_cast<double>(count) >= kNearlyAll * static_cast<double>(of);
+  };
   const bool coarse = all.median_scale > all.extent / 20;
-  if (all.log_scale.low > 0 && (coarse || all.low_log_scale < 0.5)) {
-    findings.emplace_back(
-        "scale_form", fmt::format("all scales are above 0 in the logarithm: no Gaussian is smaller than 1 unit in a "
-                                  "scene of {:.3g}; scales look linear where logarithms are expected",
-                                  all.extent));
+  if (all.low_log_scale >= 0 && all.median_scale > 1 && (coarse || all.low_log_scale < 0.5)) {
+    const bool every = all.log_scale.low >= 0;
+    findings.emplace_back("scale_form",
+                          fmt::format("{} scales are 0 or more in the logarithm: {} Gaussian is smaller than 1 unit in "
+                                      "a scene of {:.3g}; scales look linear where logarithms are expected",
+                                      every ? "all" : "nearly all", every ? "no" : "hardly a", all.extent));
   } else if (all.median_scale > all.extent) {
     findings.emplace_back("scale_form",
                           fmt::format("the median scale of {:.3g} is above the extent of {:.3g}: scales look linear "
                                       "where logarithms are expected",
                                       all.median_scale, all.extent));
   }
-  if (all.logit.high > all.logit.low && all.logit.within(0, 1)) {
-    findings.emplace_back("opacity_form", fmt::format("all opacities lie from {:.3g} to {:.3g}: they look like values "
-                                                      "from 0 to 1 where logits are expected",
-                                                      all.logit.low, all.logit.high));
+  if (nearly_all(all.share_logits, all.usable) && (!all.logit.is_one() || all.logit.low >= kOpaque)) {
+    findings.emplace_back("opacity_form", fmt::format("opacities lie from {:.3g} to {:.3g}, {} of {} from 0 to 1: they "
+                                                      "look like shares of 1 where logits are expected",
+                                                      all.logit.low, all.logit.high, all.share_logits, all.usable));
   } else if (all.logit.low >= 0 && all.logit.high > 20) {
     findings.emplace_back("opacity_form", fmt::format("opacities reach {:.3g} and none is below 0: they look like "
                                                       "codes up to 255 where logits are expected",
                                                       all.logit.high));
   }
-  if (all.color.high > all.color.low && all.color.within(0, 1)) {
+  if (!all.color.is_one() && nearly_all(all.share_colors, 3 * all.usable)) {
     findings.emplace_back("color_form",
-                          "all constant coefficients lie from 0 to 1: they look like colours where "
-                          "coefficients of SH are expected");
+                          fmt::format("{} of {} constant coefficients lie from 0 to 1: they look like colours where "
+                                      "coefficients of SH are expected",
+                                      all.share_colors, 3 * all.usable));
   } else if (all.color.low >= 0 && all.color.high > 8) {
     findings.emplace_back("color_form",
                           fmt::format("constant coefficients reach {:.3g} and none is below 0: they look like codes "
@@ -124,10 +133,13 @@ void check_forms(const Whole& all, Findings& findings) {
   const auto both_signs = [&](std::size_t k) {
     return 4 * all.negative[k] > all.usable && 4 * all.positive[k] > all.usable;
   };
-  if (one_sign(3) && both_signs(0)) {
+  for (std::size_t k = 1; k < 4; ++k) {
+    if (!one_sign(k) || !both_signs(0)) continue;
     findings.emplace_back("rotation_form",
-                          "the last component of all quaternions is positive and the first has both signs: they look "
-                          "like x y z w where w x y z is expected");
+                          fmt::format("component {} of all quaternions is positive and the first has both signs: they "
+                                      "look like {} where w x y z is expected",
+                                      k + 1, k == 3 ? "x y z w" : "another order of components"));
+    break;
   }
 }
 

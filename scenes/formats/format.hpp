@@ -44,6 +44,13 @@ Scene read_splat(const InputFile& file, SceneFormat& format);
 Scene read_ksplat(const InputFile& file, SceneFormat& format);
 Scene read_spz(const InputFile& file, SceneFormat& format);
 Scene read_sog(const InputFile& meta, SceneFormat& format);
+// What the parts of a streamed one take together, and what they are packed in.
+struct SogBytes {
+  PackedBytes packed;
+  std::uint64_t unpacked = 0;
+  bool lossy = false;  // is said
+};
+Scene read_sog(const InputFile& meta, SceneFormat& format, SogBytes& bytes);
 Scene read_streamed_sog(const InputFile& meta, int lod, SceneFormat& format);
 Scene read_gltf(const InputFile& file, SceneFormat& format);
 
@@ -69,11 +76,19 @@ inline void tell_behind(std::uint64_t bytes, SceneFormat& format) {
         "behind_end", "found " + std::to_string(bytes) + " bytes behind the last Gaussian, which are left out");
 }
 
-// Scales of a format that means them linear, as they are stored: their logarithms. A file with a negative one holds
-// logarithms already, as writers of drafts did.
+// Whether a form holds for a scene that its format does not mean: few such Gaussians are no form, but errors.
+template <typename Odd>
+bool are_many(const Scene& scene, Odd&& odd) {
+  constexpr std::ptrdiff_t kOneOf = 20;
+  const auto all = static_cast<std::ptrdiff_t>(scene.gaussians.size());
+  return all > 0 && kOneOf * std::count_if(scene.gaussians.begin(), scene.gaussians.end(), odd) >= all;
+}
+
+// Scales of a format that means them linear, as they are stored: their logarithms. A file in which many are negative
+// holds logarithms already, as writers of drafts did; single ones are culled.
 inline void take_linear_scales(Scene& scene, SceneFormat& format) {
   const auto negative = [](const Gaussian& g) { return g.log_scale.x < 0 || g.log_scale.y < 0 || g.log_scale.z < 0; };
-  if (std::any_of(scene.gaussians.begin(), scene.gaussians.end(), negative)) {
+  if (are_many(scene, negative)) {
     format.findings.emplace_back("log_scales",
                                  "scales are negative where the format means them linear: they are taken "
                                  "as logarithms");

@@ -38,6 +38,8 @@ glm::dmat4 matrix_of(const JsonNode& node) {
   if (node.has("matrix")) {
     const std::vector<double> v = node["matrix"].reals(16);
     for (int i = 0; i < 16; ++i) matrix[i / 4][i % 4] = v[static_cast<std::size_t>(i)];
+    if (glm::dvec4(v[3], v[7], v[11], v[15]) != glm::dvec4(0, 0, 0, 1))
+      node["matrix"].refuse("0, 0, 0, 1 as its last row");
     return matrix;
   }
   if (node.has("rotation")) {
@@ -77,6 +79,7 @@ class Reader {
       const JsonNode node = nodes[static_cast<std::size_t>(index)];
       if (!met.insert(index).second) node.refuse("a node with one parent");
       const glm::dmat4 matrix = above * matrix_of(node);
+      if (node.has("extensions")) note_extensions(node["extensions"].keys());
       if (node.has("mesh")) place(node, matrix);
       if (!node.has("children")) continue;
       const JsonNode children = node["children"];
@@ -86,6 +89,7 @@ class Reader {
     format_.name = fmt::format("glTF with {}{}", kSplats, spz_ ? ", " + format_.name + " inside" : "");
     if (format_.axes.empty()) format_.axes = spz_ ? "RUB" : "LUF";
     tell_behind(data_.behind(), format_);
+    tell_unread();
     if (linear_)
       format_.findings.emplace_back("linear_colors", "its colours are linear, and are blended here as they are");
     Scene scene = joined();
@@ -126,20 +130,69 @@ class Reader {
     const JsonNode primitives = mesh["primitives"];
     for (std::size_t i = 0; i < primitives.size(); ++i) {
       const JsonNode primitive = primitives[i];
-      if (!primitive.has("extensions")) continue;
-      const JsonNode extensions = primitive["extensions"];
-      const bool splats = extensions.has(kSplats);
-      const std::optional<JsonNode> spz = spz_of(extensions);
-      if (!splats && !spz) continue;
+      const bool extended = primitive.has("extensions");
+      const JsonNode extensions = extended ? primitive["extensions"] : primitive;
+      const bool splats = extended && extensions.has(kSplats);
+      const std::optional<JsonNode> spz = extended ? spz_of(extensions) : std::nullopt;
+      if (!splats && !spz) {
+        unread_.insert("primitives that are no Gaussian splats");
+        continue;
+      }
       found_ = true;
       Scene part = spz ? read_spz(data_.view((*spz)["bufferView"]), format_) : read_attributes(primitive["attributes"]);
       spz_ = spz_ || spz.has_value();
       if (spz) charge(primitive, part.gaussians.size(), part.sh_degree);
-      if (splats && extensions[kSplats].has("colorSpace") &&
-          extensions[kSplats]["colorSpace"].text().starts_with("lin_"))
-        linear_ = true;
+      if (splats) read_meaning(extensions[kSplats]);
       if (!part.gaussians.empty()) read.parts.push_back(std::move(part));
     }
+  }
+
+  // What the extension says of its Gaussians.
+  void read_meaning(const JsonNode& extension) {
+    const auto is = [&](const char* key, std::initializer_list<std::string_view> known) {
+      if (!extension.has(key)) return;
+      const std::string value = extension[key].text();
+      if (std::find(known.begin(), known.end(), value) == known.end())
+        unread_.insert(fmt::format("{} {}", key, quote(value)));
+    };
+    is("kernel", {"ellipse"});
+    is("projection", {"perspective"});
+    is("sortingMethod", {"cameraDistance"});
+    is("colorSpace", {"srgb_rec709_display", "lin_rec709_display", "BT.709-sRGB", "BT.709-LINEAR"});
+    if (!extension.has("colorSpace")) return;
+    const std::string space = extension["colorSpace"].text();
+    linear_ = linear_ || space.starts_with("lin") || space.ends_with("LINEAR");
+  }
+
+  void note_extensions(const std::vector<std::string>& names) {
+    constexpr std::string_view kKnown[] = {kSplats, kSpzNames[0], kSpzNames[1], kSpzNames[2], "KHR_mesh_quantization"};
+    for (const std::string& name : names) {
+      const bool harmless = name.find("_materials_") != name.npos || name.find("_texture_") != name.npos ||
+                            name.find("metadata") != name.npos || name == "KHR_xmp_json_ld";
+      if (!harmless && std::find(std::begin(kKnown), std::end(kKnown), name) == std::end(kKnown))
+        unread_.insert("extension " + quote(name));
+    }
+  }
+
+  // What may change the picture and is in none.
+  void tell_unread() {
+    const JsonNode& json = data_.json();
+    if (json.has("extensionsUsed")) {
+      const JsonNode used = json["extensionsUsed"];
+      std::vector<std::string> names;
+      for (std::size_t i = 0; i < used.size(); ++i) names.push_back(used[i].text());
+      note_extensions(names);
+    }
+    if (json.has("extensions")) note_extensions(json["extensions"].keys());
+    if (unread_.empty()) return;
+    constexpr std::size_t kShown = 4;
+    std::string text;
+    std::size_t shown = 0;
+    for (const std::string& one : unread_) {
+      if (shown++ < kShown) text += (text.empty() ? "" : ", ") + one;
+    }
+    if (unread_.size() > kShown) text += fmt::format(" and {} more", unread_.size() - kShown);
+    format_.findings.emplace_back("not_read", fmt::format("parts of the glTF that are not read: {}", text));
   }
 
   static std::optional<JsonNode> spz_of(const JsonNode& extensions) {
@@ -202,15 +255,21 @@ class Reader {
     return scene;
   }
 
-  // Opacities from 0 to 1; others are logits, as those of drafts.
+  // Opacities from 0 to 1; where many are others they are logits, as those of drafts; single ones are rounded, or
+  // culled.
   void take_opacities(Scene& scene) {
+    constexpr float kRounded = 1e-3f;
     const auto outside = [](const Gaussian& g) { return g.opacity_logit < 0 || g.opacity_logit > 1; };
-    if (std::any_of(scene.gaussians.begin(), scene.gaussians.end(), outside)) {
+    if (are_many(scene, outside)) {
       format_.findings.emplace_back("logit_opacities",
                                     "opacities lie outside 0 to 1, which the format means: they are taken as logits");
       return;
     }
-    for (Gaussian& g : scene.gaussians) g.opacity_logit = logit_of(g.opacity_logit);
+    for (Gaussian& g : scene.gaussians) {
+      const float alpha = std::clamp(g.opacity_logit, 0.0f, 1.0f);
+      const bool rounded = std::abs(g.opacity_logit - alpha) <= kRounded;
+      g.opacity_logit = rounded ? logit_of(alpha) : std::numeric_limits<float>::quiet_NaN();
+    }
   }
 
   void check_count(const JsonNode& attributes, const GltfAccessor& accessor, std::uint64_t count) const {
@@ -254,6 +313,7 @@ class Reader {
   const InputFile& file_;
   SceneFormat& format_;
   bool spz_ = false, linear_ = false, found_ = false;
+  std::set<std::string> unread_;  // in words
   std::uint64_t memory_ = 0;
   std::map<std::uint64_t, Mesh> meshes_;  // by index
   std::vector<Placed> placed_;            // in the order of the walk

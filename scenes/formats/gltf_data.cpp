@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "scenes/input_error.hpp"
+#include "scenes/text/foreign.hpp"
 
 namespace pipegs {
 namespace {
@@ -151,6 +152,8 @@ const InputFile& GltfData::buffer(const JsonNode& index) {
   auto known = files_.find(uri);
   if (known == files_.end()) known = files_.emplace(uri, file_.beside(percent_decoded(uri))).first;
   bytes_.add(known->second);
+  if (entry.has("byteLength") && known->second.size() < entry["byteLength"].integer(0, UINT64_MAX))
+    refuse_foreign(known->second.name(), known->second.text(), "a buffer of glTF");
   return buffers_.emplace(number, known->second).first->second;
 }
 

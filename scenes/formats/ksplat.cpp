@@ -86,6 +86,7 @@ class Reader {
     file_.rows(at, count, 24, "Gaussians of all sections");
     scene_ = scene_of_size(static_cast<std::size_t>(count), degree);
     for (std::size_t s = 0; s < sections.size(); ++s) at = read_section(sections[s], at, fmt::format("section {}", s));
+    tell_behind(file_.behind(at), format_);
     take_linear_scales(scene_, format_);
     return std::move(scene_);
   }

@@ -22,7 +22,9 @@ namespace {
 
 constexpr std::array kEndings = {".ply", ".splat", ".ksplat", ".spz", ".sog", ".glb", ".gltf"};
 constexpr std::size_t kMostLooked = 10000;  // files of a folder
-constexpr std::string_view kPly = "ply", kGzip = "\x1f\x8b", kSpz = "NGSP", kGltf = "glTF", kZip = "PK";
+constexpr std::string_view kPly = "ply", kGzip = "\x1f\x8b\x08", kSpz = "NGSP", kGltf = "glTF";
+
+bool begins_with_ply(std::string_view text) { return without_mark(text).starts_with(kPly); }
 
 Scene read_any_ply(PlySource& source, SceneFormat& format) {
   const PlyHeader header = read_ply_header(source);
@@ -34,12 +36,17 @@ Scene read_any_ply(PlySource& source, SceneFormat& format) {
   return read_ply(source, header, format);
 }
 
+// Not by two bytes, which also begin one of 65536 files of .splat.
+bool is_zip(const InputFile& file) {
+  return file.starts_with("PK\x03\x04") || file.starts_with("PK\x05\x06") || file.starts_with("PK\x07\x08");
+}
+
 bool looks_like_json(const InputFile& file) {
-  const std::string& text = file.text();
+  const std::string_view text = without_mark(file.text());
   const std::size_t open = text.find_first_not_of(" \t\r\n");
-  if (open == std::string::npos || text[open] != '{') return false;
+  if (open == text.npos || text[open] != '{') return false;
   const std::size_t next = text.find_first_not_of(" \t\r\n", open + 1);
-  return next != std::string::npos && (text[next] == '"' || text[next] == '}');
+  return next != text.npos && (text[next] == '"' || text[next] == '}');
 }
 
 Scene read_json_scene(const InputFile& file, const ReadOptions& options, SceneFormat& format) {
@@ -52,6 +59,8 @@ Scene read_json_scene(const InputFile& file, const ReadOptions& options, SceneFo
       throw InputError(file.name(), "",
                        fmt::format("found a file of cameras ('{}'), expected a scene: --cameras takes it", key));
   }
+  if (json.has("geometricError") || json.has("root"))
+    throw InputError(file.name(), "", "found a tileset of 3D Tiles, expected a scene: name a .glb of it");
   throw InputError(file.name(), "",
                    "found JSON without 'means' (SOG), 'tree' (streamed SOG) or 'meshes' (glTF), expected a scene");
 }
@@ -64,10 +73,27 @@ Scene read_untold(const InputFile& file, SceneFormat& format) {
   if (looks_like_splat(file)) return read_splat(file, format);
   if (file.text().starts_with("["))
     throw InputError(file.name(), "", "found a list of JSON, expected a scene: --cameras takes cameras");
-  throw InputError(file.name(), "",
-                   fmt::format("found {} bytes that begin with {}, expected {}", file.size(),
-                               quote(file.text().substr(0, 8)), kScenes));
+  const std::string begin = file.text().substr(0, 512);
+  const bool text = std::all_of(begin.begin(), begin.end(), is_printable);
+  throw InputError(
+      file.name(), "",
+      fmt::format("found {} that begin{} with {}, expected {}", text ? "a text" : fmt::format("{} bytes", file.size()),
+                  text ? "s" : "", quote(begin.substr(0, text ? 24 : 8)), kScenes));
 }
+
+// Those that have the ending of a scene, without what macOS puts beside each file.
+std::vector<std::string> scenes_among(const std::vector<std::string>& names) {
+  std::vector<std::string> found;
+  for (const std::string& name : names) {
+    const std::filesystem::path path(name);
+    const bool beside = name.starts_with("__MACOSX/") || path.filename().string().starts_with("._");
+    if (!beside && std::find(kEndings.begin(), kEndings.end(), path.extension().string()) != kEndings.end())
+      found.push_back(name);
+  }
+  return found;
+}
+
+Scene read_packed(const InputFile& file, const ReadOptions& options, SceneFormat& format);
 
 // The scene in an archive: a SOG, streamed or not, in it or in a folder of it.
 Scene read_zip(const InputFile& file, const ReadOptions& options, SceneFormat& format) {
@@ -82,27 +108,42 @@ Scene read_zip(const InputFile& file, const ReadOptions& options, SceneFormat& f
     const InputFile inside = unpack_zip(file, *found);
     return read_json_scene(inside, options, format);
   }
-  const bool torch =
-      std::any_of(names.begin(), names.end(), [](const std::string& name) { return name.ends_with("data.pkl"); });
-  if (torch)
+  const std::vector<std::string> scenes = scenes_among(names);
+  // What is packed itself may unpack to any size.
+  if (scenes.size() == 1 && !scenes[0].ends_with(".sog")) {
+    const InputFile inside = unpack_zip(file, scenes[0]);
+    if (!is_zip(inside)) {
+      format.findings.emplace_back("zip_around",
+                                   fmt::format("the file is packed by zip: {} in it is read", quote(scenes[0])));
+      return read_packed(inside, options, format);
+    }
+  }
+  const auto has = [&](std::string_view ending) {
+    return std::any_of(names.begin(), names.end(), [&](const std::string& name) { return name.ends_with(ending); });
+  };
+  if (has("data.pkl"))
     throw InputError(file.name(), "",
                      fmt::format("found a checkpoint of PyTorch, expected {}: export one of it", kScenes));
+  if (has(".usdc") || has(".usda"))
+    throw InputError(file.name(), "",
+                     fmt::format("found USD in a zip archive, expected {}: export one of it", kScenes));
   throw InputError(
       file.name(), "",
       fmt::format("found no 'meta.json' and no 'lod-meta.json' in the zip archive, but {}{}; unpack it and "
-                  "name the scene in it",
+                  "name the scene in it{}",
                   names.empty() ? "nothing" : quote(names.front()),
-                  names.size() > 1 ? fmt::format(" and {} more", names.size() - 1) : ""));
+                  names.size() > 1 ? fmt::format(" and {} more", names.size() - 1) : "",
+                  scenes.empty() ? "" : ", such as " + quote(scenes.front())));
 }
 
 Scene read_unpacked(const InputFile& file, const ReadOptions& options, SceneFormat& format) {
-  if (file.starts_with(kPly)) {
+  if (begins_with_ply(file.text())) {
     PlySource source(file.name(), file.text());
     return read_any_ply(source, format);
   }
   if (file.starts_with(kSpz)) return read_spz(file, format);
   if (file.starts_with(kGltf)) return read_gltf(file, format);
-  if (file.starts_with(kZip)) return read_zip(file, options, format);
+  if (is_zip(file)) return read_zip(file, options, format);
   if (looks_like_json(file)) return read_json_scene(file, options, format);
   return read_untold(file, format);
 }
@@ -118,7 +159,8 @@ Scene read_packed(const InputFile& file, const ReadOptions& options, SceneFormat
     return scene;
   }
   std::uint64_t behind = 0;
-  const InputFile inside = unpack_gzip(file, &behind);
+  InputFile inside = unpack_gzip(file, &behind);
+  if (inside.starts_with(kGzip)) inside = unpack_gzip(inside);  // a server packs what is packed
   Scene scene = read_unpacked(inside, options, format);
   if (!inside.starts_with(kSpz))
     format.findings.emplace_back("gzip_around", "the file is packed by gzip: what is in it is read");
@@ -168,11 +210,11 @@ std::filesystem::path file_of(const std::filesystem::path& path) {
   throw InputError(path.string(), "", what);
 }
 
-bool begins_with_ply(const std::filesystem::path& path) {
+bool is_ply(const std::filesystem::path& path) {
   std::ifstream stream(path, std::ios::binary);
-  std::string begin(kPly.size(), '\0');
+  std::string begin(kUtf8Mark.size() + kPly.size(), '\0');
   stream.read(begin.data(), static_cast<std::streamsize>(begin.size()));
-  return begin == kPly;
+  return begins_with_ply(begin);
 }
 
 }  // namespace
@@ -189,7 +231,7 @@ Scene read_scene(const std::filesystem::path& path, const ReadOptions& options, 
   SceneFormat own;
   SceneFormat& found = format == nullptr ? own : *format;
   Scene scene;
-  if (begins_with_ply(file)) {  // in pieces: it may be larger than the memory
+  if (is_ply(file)) {  // in pieces: it may be larger than the memory
     PlySource source(file);
     scene = read_any_ply(source, found);
     finish(file.string(), scene, options, found);

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <filesystem>
 #include <numbers>
 
 #include "scenes/formats/format.hpp"
@@ -46,8 +47,8 @@ struct Channels {
 
 class Reader {
  public:
-  Reader(const InputFile& file, SceneFormat& format)
-      : file_(file), meta_(JsonNode::parse(file.name(), file.text())), format_(format) {}
+  Reader(const InputFile& file, SceneFormat& format, SogBytes& bytes)
+      : file_(file), meta_(JsonNode::parse(file.name(), file.text())), format_(format), bytes_(bytes) {}
 
   Scene read() {
     second_ = meta_.has("version");
@@ -70,14 +71,15 @@ class Reader {
 
   // All files, still packed: what they take tells how much may come out of them.
   void open_files() {
-    PackedBytes packed;
     for (const auto& [key, count] : {std::pair{"means", 2}, {"scales", 1}, {"quats", 1}, {"sh0", 1}, {"shN", 2}}) {
-      if (std::string_view(key) == "shN" && !meta_.has(key)) continue;
+      if (std::string_view(key) == "shN" && (!meta_.has(key) || meta_[key].is_null())) continue;
       const JsonNode names = meta_[key]["files"];
       if (names.size() != static_cast<std::size_t>(count)) names.refuse(fmt::format("{} files", count));
-      for (std::size_t i = 0; i < names.size(); ++i) packed.add(files_.emplace_back(file_.beside(names[i].text())));
+      for (std::size_t i = 0; i < names.size(); ++i)
+        bytes_.packed.add(files_.emplace_back(file_.beside(names[i].text())));
     }
-    check_unpacked(file_.name(), "count", packed.sum(), count_ * 4 * kLabels);
+    bytes_.unpacked += count_ * 4 * kLabels;
+    check_unpacked(file_.name(), "count", bytes_.packed.sum(), bytes_.unpacked);
     // Half of it again, and a row, for what lies behind the last Gaussian.
     most_texels_ = count_ + count_ / 2 + (std::uint64_t{1} << 16);
     if (files_.size() <= kCentroids) return;
@@ -93,9 +95,16 @@ class Reader {
       meta_["shN"]["bands"].integer(static_cast<std::uint64_t>(degree_), static_cast<std::uint64_t>(degree_));
   }
 
-  Texture texture(File file) const {
+  Texture texture(File file) {
     const InputFile& packed = files_[file];
     Texture texture = unpack_webp(packed, most_texels_);
+    if (texture.lossy && !bytes_.lossy) {
+      bytes_.lossy = true;
+      format_.findings.emplace_back(
+          "lossy_texture", fmt::format("texture {} was packed with losses, which change its numbers: a server or a "
+                                       "program has written it anew",
+                                       quote(std::filesystem::path(packed.name()).filename().string())));
+    }
     if (texture.rgba.size() / 4 >= count_) return texture;
     throw InputError(packed.name(), "",
                      fmt::format("found {} x {} texels, expected one for each of {} Gaussians", texture.width,
@@ -110,7 +119,7 @@ class Reader {
     return Channels::of_ranges(node["mins"].reals(count), node["maxs"].reals(count));
   }
 
-  void read_means(Scene& scene) const {
+  void read_means(Scene& scene) {
     const std::vector<double> low = meta_["means"]["mins"].reals(3), high = meta_["means"]["maxs"].reals(3);
     const Texture fine = texture(kLow), coarse = texture(kHigh);
     for (std::size_t i = 0; i < scene.gaussians.size(); ++i) {
@@ -122,7 +131,7 @@ class Reader {
     }
   }
 
-  void read_scales_and_colors(Scene& scene) const {
+  void read_scales_and_colors(Scene& scene) {
     const Channels scale = channels("scales", 3), color = channels("sh0", 4);
     const Texture scales = texture(kScales), colors = texture(kColors);
     for (std::size_t i = 0; i < scene.gaussians.size(); ++i) {
@@ -137,7 +146,7 @@ class Reader {
   }
 
   // Three of w x y z without the largest, whose index stands above kTag in the fourth channel.
-  void read_rotations(Scene& scene) const {
+  void read_rotations(Scene& scene) {
     constexpr int kTag = 252;
     const Texture quats = texture(kQuats);
     for (std::size_t i = 0; i < scene.gaussians.size(); ++i) {
@@ -189,6 +198,7 @@ class Reader {
   const InputFile& file_;
   const JsonNode meta_;
   SceneFormat& format_;
+  SogBytes& bytes_;
   bool second_ = false;
   std::uint64_t count_ = 0, most_texels_ = 0, entries_ = 0;
   int degree_ = 0;
@@ -198,6 +208,13 @@ class Reader {
 
 }  // namespace
 
-Scene read_sog(const InputFile& meta, SceneFormat& format) { return Reader(meta, format).read(); }
+Scene read_sog(const InputFile& meta, SceneFormat& format) {
+  SogBytes bytes;
+  return read_sog(meta, format, bytes);
+}
+
+Scene read_sog(const InputFile& meta, SceneFormat& format, SogBytes& bytes) {
+  return Reader(meta, format, bytes).read();
+}
 
 }  // namespace pipegs

@@ -186,6 +186,11 @@ class Reader {
                              : degree_ == 1 ? fmt::format("{} bits of 8", kept(sh_seen_[0]))
                                             : fmt::format("{} bits of 8 for degree 1, {} above", kept(sh_seen_[0]),
                                                           kept(sh_seen_[1]))}};
+    if (const int others = flags_ & ~(kAntialiased | kExtended); others != 0)
+      format_.findings.emplace_back("not_read", fmt::format("flags of the .spz that are not known here: {:#x}; what "
+                                                            "they mean (a tree of levels of detail) is not in the "
+                                                            "picture",
+                                                            others));
     if (degree_ > kMaxShDegree)
       format_.findings.emplace_back("sh_degree", "the SH coefficients of degree 4 are left out");
   }

@@ -36,9 +36,9 @@ void collect(const JsonNode& node, const std::string& level, std::uint64_t files
   for (std::size_t i = 0; i < children.size(); ++i) collect(children[i], level, files, found);
 }
 
-Scene read_part(const InputFile& meta, const std::string& name, SceneFormat& format) {
+Scene read_part(const InputFile& meta, const std::string& name, SceneFormat& format, SogBytes& bytes) {
   const InputFile file = meta.beside(name);
-  return read_sog(file.starts_with("PK") ? unpack_zip(file, "meta.json") : file, format);
+  return read_sog(file.starts_with("PK") ? unpack_zip(file, "meta.json") : file, format, bytes);
 }
 
 }  // namespace
@@ -58,9 +58,10 @@ Scene read_streamed_sog(const InputFile& meta, int lod, SceneFormat& format) {
   FileRows found;
   collect(json["tree"], std::to_string(lod), names.size(), found);
   std::vector<std::pair<Scene, std::vector<Rows>>> parts;
+  SogBytes bytes;
   for (auto& [index, rows] : found) {
     const JsonNode name = names[static_cast<std::size_t>(index)];
-    Scene part = read_part(meta, name.text(), format);
+    Scene part = read_part(meta, name.text(), format, bytes);
     std::sort(rows.begin(), rows.end(), [](const Rows& a, const Rows& b) { return a.offset < b.offset; });
     std::uint64_t free = 0;
     for (const Rows& row : rows) {
@@ -73,7 +74,7 @@ Scene read_streamed_sog(const InputFile& meta, int lod, SceneFormat& format) {
     parts.emplace_back(std::move(part), rows);
   }
   if (json.has("environment") && !json["environment"].is_null()) {
-    Scene part = read_part(meta, json["environment"].text(), format);
+    Scene part = read_part(meta, json["environment"].text(), format, bytes);
     const std::uint64_t count = part.gaussians.size();
     parts.emplace_back(std::move(part), std::vector<Rows>{{0, count}});
   }

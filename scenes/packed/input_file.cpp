@@ -55,7 +55,8 @@ const std::uint8_t* InputFile::rows(std::uint64_t offset, std::uint64_t count, s
   return reinterpret_cast<const std::uint8_t*>(bytes_->data()) + offset;
 }
 
-InputFile InputFile::beside(const std::string& name) const {
+InputFile InputFile::beside(std::string name) const {
+  std::replace(name.begin(), name.end(), '\\', '/');  // as Windows writes it
   check_name(name_, name);
   if (beside_ == nullptr)
     throw InputError(name_, "", fmt::format("names {}, which does not lie beside it", quote(name)));

@@ -60,7 +60,7 @@ class InputFile {
   // How many bytes follow `end`.
   std::uint64_t behind(std::uint64_t end) const { return size() - std::min(end, size()); }
 
-  InputFile beside(const std::string& name) const;
+  InputFile beside(std::string name) const;
 
  private:
   std::string name_;

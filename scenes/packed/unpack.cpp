@@ -11,9 +11,12 @@
 #include <zstd.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <map>
 #include <memory>
 
 #include "scenes/input_error.hpp"
+#include "scenes/text/foreign.hpp"
 
 namespace pipegs {
 namespace {
@@ -62,12 +65,48 @@ Zip open_zip(const InputFile& archive, Reading& reading) {
   return zip;
 }
 
+// The members of an archive by their names with slashes, as Windows may not have written them. Each is sought once: a
+// streamed scene has thousands.
+struct Archive {
+  InputFile file;
+  std::map<std::string, unz64_file_pos> places = {};
+};
+
+std::string plain(std::string name) {
+  std::replace(name.begin(), name.end(), '\\', '/');
+  return std::filesystem::path(name).lexically_normal().string();
+}
+
+// Calls visit(name) with the archive at each of its members.
+template <typename Visit>
+void for_each_member(const unzFile zip, Visit&& visit) {
+  for (int state = unzGoToFirstFile(zip); state == UNZ_OK; state = unzGoToNextFile(zip)) {
+    unz_file_info64 info{};
+    char name[1024] = {};
+    if (unzGetCurrentFileInfo64(zip, &info, name, sizeof name - 1, nullptr, 0, nullptr, 0) != UNZ_OK) return;
+    visit(plain(name));
+  }
+}
+
+std::shared_ptr<const Archive> archive_of(const InputFile& file) {
+  auto archive = std::make_shared<Archive>(Archive{file});
+  Reading reading{archive->file.text()};
+  const Zip zip = open_zip(file, reading);
+  for_each_member(zip.get(), [&](const std::string& name) {
+    unz64_file_pos place{};
+    if (unzGetFilePos64(zip.get(), &place) == UNZ_OK) archive->places.emplace(name, place);
+  });
+  return archive;
+}
+
 // Its bytes, and how many they are in the archive.
-std::pair<std::string, std::uint64_t> read_member(const InputFile& archive, const std::string& name) {
+std::pair<std::string, std::uint64_t> read_member(const Archive& members, const std::string& name) {
+  const InputFile& archive = members.file;
   Reading reading{archive.text()};
   const Zip zip = open_zip(archive, reading);
   unz_file_info64 info{};
-  if (unzLocateFile(zip.get(), name.c_str(), 1) != UNZ_OK ||
+  const auto place = members.places.find(plain(name));
+  if (place == members.places.end() || unzGoToFilePos64(zip.get(), &place->second) != UNZ_OK ||
       unzGetCurrentFileInfo64(zip.get(), &info, nullptr, 0, nullptr, 0, nullptr, 0) != UNZ_OK)
     throw InputError(archive.name(), "", fmt::format("found no {} in the zip archive", quote(name)));
   if (info.compressed_size > archive.size())
@@ -91,6 +130,13 @@ std::pair<std::string, std::uint64_t> read_member(const InputFile& archive, cons
   if (!good || unzCloseCurrentFile(zip.get()) != UNZ_OK)
     throw InputError(archive.name(), quote(name), "the bytes in the zip archive are damaged");
   return {std::move(bytes), info.compressed_size};
+}
+
+InputFile member_of(const std::shared_ptr<const Archive>& archive, const std::string& name) {
+  const std::string folder = plain(name).substr(0, plain(name).rfind('/') + 1);
+  const auto other = [archive, folder](const std::string& wanted) { return member_of(archive, folder + wanted); };
+  auto [bytes, packed] = read_member(*archive, name);
+  return {archive->file.name() + "/" + name, std::move(bytes), other, packed};
 }
 
 }  // namespace
@@ -121,13 +167,13 @@ InputFile unpack_gzip(const InputFile& file, std::uint64_t* behind) {
     if (state != Z_OK && state != Z_STREAM_END)
       throw InputError(file.name(), "gzip", "the packed bytes are truncated or damaged");
     bytes.append(block, 0, block.size() - stream.avail_out);
-    check_unpacked(file.name(), "gzip", packed.size(), bytes.size());
+    check_unpacked(file.name(), "gzip", file.packed(), bytes.size());
   }
   const std::size_t left = packed.size() - taken + stream.avail_in;
   if (behind != nullptr) *behind = left;
   else if (left > 0)
     throw InputError(file.name(), "behind gzip", fmt::format("found {} bytes, expected the end of the file", left));
-  return {file.name(), std::move(bytes)};
+  return {file.name(), std::move(bytes), nullptr, file.packed()};
 }
 
 std::string unpack_zstd(const std::string& file, std::string_view where, std::span<const std::uint8_t> packed,
@@ -140,34 +186,27 @@ std::string unpack_zstd(const std::string& file, std::string_view where, std::sp
   return bytes;
 }
 
-InputFile unpack_zip(const InputFile& archive, const std::string& name) {
-  const std::string folder = name.substr(0, name.rfind('/') + 1);
-  const auto other = [archive, folder](const std::string& wanted) { return unpack_zip(archive, folder + wanted); };
-  auto [bytes, packed] = read_member(archive, name);
-  return {archive.name() + "/" + name, std::move(bytes), other, packed};
-}
+InputFile unpack_zip(const InputFile& archive, const std::string& name) { return member_of(archive_of(archive), name); }
 
 std::vector<std::string> zip_names(const InputFile& archive) {
   Reading reading{archive.text()};
   const Zip zip = open_zip(archive, reading);
   std::vector<std::string> names;
-  for (int state = unzGoToFirstFile(zip.get()); state == UNZ_OK && names.size() < kMostNames;
-       state = unzGoToNextFile(zip.get())) {
-    unz_file_info64 info{};
-    char name[1024] = {};
-    if (unzGetCurrentFileInfo64(zip.get(), &info, name, sizeof name - 1, nullptr, 0, nullptr, 0) != UNZ_OK) break;
-    names.emplace_back(name);
-  }
+  for_each_member(zip.get(), [&](const std::string& name) {
+    if (names.size() < kMostNames) names.push_back(name);
+  });
   return names;
 }
 
 Texture unpack_webp(const InputFile& file, std::uint64_t most) {
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(file.text().data());
   WebPBitstreamFeatures features;
-  if (WebPGetFeatures(bytes, file.text().size(), &features) != VP8_STATUS_OK)
+  if (WebPGetFeatures(bytes, file.text().size(), &features) != VP8_STATUS_OK) {
+    refuse_foreign(file.name(), file.text(), "a WebP picture");
     throw InputError(file.name(), "", "found no WebP picture");
+  }
   if (features.has_animation != 0) throw InputError(file.name(), "", "found an animated WebP, expected one picture");
-  Texture texture{.width = features.width, .height = features.height, .rgba = {}};
+  Texture texture{.width = features.width, .height = features.height, .lossy = features.format == 1, .rgba = {}};
   const auto texels = static_cast<std::uint64_t>(texture.width) * static_cast<std::uint64_t>(texture.height);
   if (texels > most) {
     throw InputError(file.name(), "",

@@ -31,13 +31,14 @@ std::string unpack_zstd(const std::string& file, std::string_view where, std::sp
                         std::uint64_t unpacked);
 // A file of a zip archive, and beside it the others of its folder there.
 InputFile unpack_zip(const InputFile& archive, const std::string& name);
-// The files of a zip archive, at most kMostNames of them.
+// The files of a zip archive, at most kMostNames of them; backslashes in their names are slashes.
 inline constexpr std::size_t kMostNames = 65536;
 std::vector<std::string> zip_names(const InputFile& archive);
 
 // Texels of a WebP picture as RGBA, row by row, or an InputError. More texels than `most` are not decoded.
 struct Texture {
   int width = 0, height = 0;
+  bool lossy = false;
   std::string rgba;
 
   const std::uint8_t* texel(std::uint64_t i) const {

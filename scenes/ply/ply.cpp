@@ -8,6 +8,7 @@
 #include "scenes/ply/ply.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -46,6 +47,25 @@ void fuse(double filter, Gaussian& g) {
   if (squared > 0) g.opacity_logit = logit_of(opacity * std::sqrt(kept));
 }
 
+// Colours as they stand in the file. Their largest says whether the type's range is theirs: some write bytes as floats.
+void take_colors(const PlyLayout& layout, Scene& scene, SceneFormat& format) {
+  constexpr double kBrightest = 8;  // of colours that were not cut to 1
+  float largest = 0;
+  for (const Gaussian& g : scene.gaussians) {
+    for (int k = 0; k < 3; ++k)
+      if (std::isfinite(g.sh_dc[k])) largest = std::max(largest, g.sh_dc[k]);
+  }
+  double range = layout.color_range;
+  if (range == 1 && largest > kBrightest) range = 255;
+  if (range == 255 && largest > range) range = 65535;
+  for (Gaussian& g : scene.gaussians) {
+    for (int k = 0; k < 3; ++k) g.sh_dc[k] = dc_of(g.sh_dc[k] / range);
+  }
+  format.findings.emplace_back("rgb_colors",
+                               fmt::format("{} up to {:g} are taken as colours of degree 0: the file has no f_dc",
+                                           fmt::join(layout.colors, ", "), range));
+}
+
 void read_vertices(PlySource& source, const PlyHeader& header, const PlyElement& vertex, Scene& scene,
                    SceneFormat& format) {
   const PlyLayout layout = ply_layout(source.file(), header, vertex, format);
@@ -69,8 +89,7 @@ void read_vertices(PlySource& source, const PlyHeader& header, const PlyElement&
         if (layout.wide) positions[i] = {wide[0], wide[1], wide[2]};
         else g.mean = {v[kSlotX], v[kSlotX + 1], v[kSlotX + 2]};
         for (int k = 0; k < 3; ++k) {
-          const float color = v[kSlotDc + k];
-          g.sh_dc[k] = layout.color_range > 0 ? dc_of(color / layout.color_range) : color;
+          g.sh_dc[k] = v[kSlotDc + k];
           g.log_scale[k] = v[kSlotScale + (layout.scales == 1 ? 0 : k)];
         }
         g.opacity_logit = layout.opacity_range > 0 ? logit_of(v[kSlotOpacity] / layout.opacity_range) : v[kSlotOpacity];
@@ -79,6 +98,7 @@ void read_vertices(PlySource& source, const PlyHeader& header, const PlyElement&
         if (rest > 0) std::memcpy(scene.sh_rest.data() + i * rest, v + kSlotRest, rest * sizeof(float));
       },
       wide.data());
+  if (layout.color_range > 0) take_colors(layout, scene, format);
   if (layout.wide) set_positions(positions, scene, format);
   if (layout.filtered)
     format.findings.emplace_back("filter_3d",

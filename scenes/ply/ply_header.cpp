@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "scenes/input_error.hpp"
+#include "scenes/text/foreign.hpp"
 #include "scenes/text/number.hpp"
 
 namespace pipegs {
@@ -35,7 +36,8 @@ class Parser {
 
   PlyHeader parse() {
     next_line();
-    if (text_ != "ply") fail("magic", fmt::format("found {}, expected 'ply'", quote(text_)));
+    if (words_ != std::vector<std::string>{"ply"} && without_mark(text_) != "ply")
+      fail("magic", fmt::format("found {}, expected 'ply'", quote(text_)));
     while (true) {
       next_line();
       if (words_.empty()) continue;

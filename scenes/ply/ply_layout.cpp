@@ -30,17 +30,19 @@ struct Names {
 };
 const std::array kNames = {
     Names{kSlotX, 3, "", {"p", "pos_", "position_", "mean_", "means_", "xyz_", "center_"}, "xyz"},
-    Names{kSlotDc, 3, "f_dc_", {"features_dc_", "feature_dc_", "sh_dc_", "sh0_", "dc_"}, ""},
+    Names{kSlotDc, 3, "f_dc_", {"features_dc_", "feature_dc_", "sh_dc_", "sh0_", "dc_"}, "rgb"},
     Names{kSlotScale, 3, "scale_", {"scales_", "scaling_", "scal_", "log_scale_", "log_scales_", "s"}, "xyz"},
     Names{kSlotRotation,
           4,
           "rot_",
-          {"rotation_", "rotations_", "quat_", "quats_", "quaternion_", "orientation_", "q_", "q"},
+          {"rotation_", "rotations_", "quat_", "quats_", "quaternion_", "orientation_", "q_", "q", "r"},
           "wxyz"}};
-constexpr std::array kOpacities = {"opacity",       "opacities",     "alpha",    "alphas",
-                                   "opacity_logit", "logit_opacity", "opacity_0"};
+constexpr std::array kOpacities = {"opacity",       "opacities",     "alpha",     "alphas",
+                                   "opacity_logit", "logit_opacity", "opacity_0", "a"};
 constexpr std::array kColors = {std::array{"red", "green", "blue"}, std::array{"r", "g", "b"},
-                                std::array{"diffuse_red", "diffuse_green", "diffuse_blue"}};
+                                std::array{"diffuse_red", "diffuse_green", "diffuse_blue"},
+                                std::array{"color_r", "color_g", "color_b"},
+                                std::array{"color_red", "color_green", "color_blue"}};
 constexpr std::array kRests = {"f_rest_", "features_rest_", "feature_rest_", "sh_rest_", "shn_"};
 // Left out by every program that draws Gaussians.
 constexpr std::array kHarmless = {"nx",    "ny",    "nz",        "confidence", "quality", "intensity",
@@ -64,7 +66,8 @@ std::optional<Place> place_of(const std::string& name) {
                         letter(names.letters.empty() ? "" : names.letters.substr(static_cast<std::size_t>(k), 1));
       const std::string inria = names.inria + (names.slot == kSlotX ? letter : number);
       const auto is = [&](const std::string& prefix) {
-        return (!prefix.empty() && prefix.back() == '_' && name == prefix + number) ||
+        const bool joined = !prefix.empty() && prefix.back() == '_';
+        return (joined && (name == prefix + number || name == prefix.substr(0, prefix.size() - 1) + number)) ||
                (!letter.empty() && name == prefix + letter);
       };
       if (is(names.inria) || std::any_of(names.others.begin(), names.others.end(), is))
@@ -149,8 +152,10 @@ class Finder {
   bool has(int slot) const { return types_[static_cast<std::size_t>(slot)].has_value(); }
   std::string line() const { return fmt::format("line {}, element vertex", vertex_.line); }
   [[noreturn]] void missing(const std::string& name) const {
-    throw InputError(file_, line(),
-                     fmt::format("property {} is missing, expected the properties of INRIA's point_cloud.ply", name));
+    const std::string others = unread_.empty() ? "" : fmt::format("; found {}, which are not known", some(unread_));
+    throw InputError(
+        file_, line(),
+        fmt::format("property {} is missing, expected the properties of INRIA's point_cloud.ply{}", name, others));
   }
 
   // The degree of the file, of which not all may be kept.
@@ -193,7 +198,8 @@ class Finder {
       check();
       types_[static_cast<std::size_t>(place->slot)] = property.type;
       if (place->inria != property.name) others_.push_back(property.name);
-      const bool exact = property.type == PlyType::kFloat64 || header_.format == PlyFormat::kAscii;
+      const bool exact = property.type == PlyType::kFloat64 || property.type == PlyType::kInt32 ||
+                         property.type == PlyType::kUint32 || header_.format == PlyFormat::kAscii;
       layout_.wide = layout_.wide || (place->slot < kSlotX + 3 && exact);
       return place->slot;
     }
@@ -235,18 +241,13 @@ class Finder {
       for (int k = 0; k < 3; ++k)
         if (!has(kSlotDc + k)) missing(fmt::format("f_dc_{}", k));
     }
-    layout_.color_range = range_of(colors_[0]->type);
     for (int k = 0; k < 3; ++k) {
       const PlyProperty* color = colors_[static_cast<std::size_t>(k)];
-      if (layout_.color_range == 0 || range_of(color->type) != layout_.color_range)
-        throw InputError(
-            file_, fmt::format("line {}, {}", color->line, color->name),
-            "found a colour of this type, expected f_dc_0 to f_dc_2, or colours as uchar, ushort or float");
+      layout_.colors.push_back(color->name);
+      if (color->type == PlyType::kFloat32 || color->type == PlyType::kFloat64) layout_.color_range = 1;
       layout_.slots[static_cast<std::size_t>(color - vertex_.properties.data())] = kSlotDc + k;
     }
-    format_.findings.emplace_back(
-        "rgb_colors", fmt::format("{}, {}, {} up to {:g} are taken as colours of degree 0: the file has no f_dc",
-                                  colors_[0]->name, colors_[1]->name, colors_[2]->name, layout_.color_range));
+    if (layout_.color_range == 0) layout_.color_range = colors_[0]->type == PlyType::kUint16 ? 65535 : 255;
   }
 
   void take_scales() {
@@ -258,6 +259,13 @@ class Finder {
   }
 
   void tell() {
+    std::vector<std::string> elements;
+    for (const PlyElement& element : header_.elements) {
+      if (&element != &vertex_ && element.count > 0) elements.push_back(element.name);
+    }
+    if (!elements.empty())
+      format_.findings.emplace_back("other_elements",
+                                    fmt::format("elements beside the Gaussians are not read: {}", some(elements)));
     if (!others_.empty())
       format_.findings.emplace_back(
           "other_names", fmt::format("properties under other names than INRIA's are read: {}", some(others_)));

@@ -186,5 +186,27 @@ TEST_F(Hostile, BytesThatAreNamedOftenCountOnce) {
   expect_told("info sog", "at most 32 times as many");
 }
 
+// The parts of a streamed SOG share what is free of a file.
+TEST_F(Hostile, ManySmallPartsAreOneFile) {
+  const int side = 190, parts = 40;
+  const std::string texture = webp(side, side, std::vector<std::uint8_t>(4 * side * side, 255));
+  Json meta = {{"version", 2}, {"count", side * side}};
+  meta["means"] = {{"mins", {-1, -1, -1}}, {"maxs", {1, 1, 1}}, {"files", {"t.webp", "t.webp"}}};
+  for (const char* key : {"scales", "quats", "sh0"}) meta[key]["files"] = {"t.webp"};
+  for (const char* key : {"scales", "sh0"}) meta[key]["codebook"] = std::vector<double>(256);
+  Json lod = {{"lodLevels", 1}, {"tree", {{"children", Json::array()}}}};
+  std::vector<std::pair<std::string, std::string>> files;
+  for (int i = 0; i < parts; ++i) {
+    const std::string folder = std::to_string(i) + "/";
+    files.emplace_back(folder + "meta.json", meta.dump());
+    files.emplace_back(folder + "t.webp", texture);
+    lod["filenames"].push_back(folder + "meta.json");
+    lod["tree"]["children"].push_back({{"lods", {{"0", {{"file", i}, {"offset", 0}, {"count", side * side}}}}}});
+  }
+  files.emplace_back("lod-meta.json", lod.dump());
+  write("parts.sog", zip(files, true));
+  expect_told("info parts.sog", "at most 32 times as many");
+}
+
 }  // namespace
 }  // namespace pipegs

@@ -39,10 +39,10 @@ inline std::string deflated(const std::string& bytes, int window, int level = 6)
 inline std::string gzip(const std::string& bytes) { return deflated(bytes, 31); }
 
 // A picture of these texels, R G B A, lossless and exact.
-inline std::string webp(int width, int height, const std::vector<std::uint8_t>& rgba) {
+inline std::string webp(int width, int height, const std::vector<std::uint8_t>& rgba, bool lossless = true) {
   WebPConfig config;
   WebPConfigInit(&config);
-  config.lossless = 1;
+  config.lossless = lossless ? 1 : 0;
   config.exact = 1;
   WebPPicture picture;
   WebPPictureInit(&picture);

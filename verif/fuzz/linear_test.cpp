@@ -14,6 +14,7 @@
 #include "scenes/input_error.hpp"
 #include "scenes/text/json.hpp"
 #include "scenes/text/json_node.hpp"
+#include "verif/formats/packed_bytes.hpp"
 
 static std::uint64_t g_comparisons = 0, g_allocations = 0;
 
@@ -132,6 +133,31 @@ TEST(Linear, BoxesOfAStreamedSog) {
   expect_linear([&](int n) { return repeated(head, "{}", n, "]}}"); }, scene);
   expect_linear([&](int n) { return repeated(head, R"({"lods":{"0":{"file":0,"offset":0,"count":0}}})", n, "]}}"); },
                 scene);
+}
+
+// A streamed SOG in an archive names each of its members.
+TEST(Linear, MembersOfAZipArchive) {
+  const std::string texture = webp(1, 1, {128, 128, 128, 255}), codebook = repeated("[", "0", 256, "]");
+  const std::string meta = R"({"version":2,"count":1,"means":{"mins":[0,0,0],"maxs":[1,1,1],"files":["t","t"]},)"
+                           R"("quats":{"files":["t"]},"scales":{"files":["t"],"codebook":)" +
+                           codebook + R"(},"sh0":{"files":["t"],"codebook":)" + codebook + "}}";
+  const auto archive = [&](int n) {
+    std::vector<std::pair<std::string, std::string>> files;
+    std::string names, boxes;
+    for (int i = 0; i < n; ++i) {
+      const std::string folder = std::to_string(1000 + i), comma = i == 0 ? "" : ",";
+      files.emplace_back(folder + "/meta.json", meta);
+      files.emplace_back(folder + "/t", texture);
+      names += comma + "\"" + folder + "/meta.json\"";
+      boxes += comma + R"({"lods":{"0":{"file":)" + std::to_string(i) + R"(,"offset":0,"count":1}}})";
+    }
+    files.emplace_back("lod-meta.json",
+                       R"({"lodLevels":1,"filenames":[)" + names + R"(],"tree":{"children":[)" + boxes + "]}}");
+    return zip(files);
+  };
+  expect_linear([&](int n) { return archive(n / 5); }, scene);
+  SceneFormat format;
+  EXPECT_EQ(read_scene(InputFile("s", archive(7)), {}, format).gaussians.size(), 7u);
 }
 
 // Half a million of them take less than two seconds: two pieces of memory for each value that is kept, one for each

@@ -118,22 +118,43 @@ std::string spz_of(std::uint32_t version, const std::string& tail = "") {
   return bytes + tail;
 }
 
-// A glTF of one Gaussian at (1, 2, 3), in a node with this matrix.
-std::string gltf_of(std::vector<float> scale, float opacity, const std::string& node = R"({"mesh": 0})",
-                    const std::string& space = "srgb_rec709_display") {
+// The files of a SOG of one Gaussian; one of its textures may be packed with losses.
+std::vector<std::pair<std::string, std::string>> sog_of(bool lossy, const std::string& folder = "") {
+  const std::vector<std::uint8_t> texel = {128, 128, 128, 255};
+  std::string codebook = "[-3";
+  for (int i = 1; i < 256; ++i) codebook += ",-3";
+  codebook += "]";
+  return {{folder + "meta.json", R"({"version": 2, "count": 1, "shN": null, "means": {"mins": [-1, -1, -1], "maxs":
+          [1, 1, 1], "files": ["a.webp", "a.webp"]}, "scales": {"codebook": )" +
+                                     codebook +
+                                     R"(, "files": ["b.webp"]}, "quats": {"files": ["a.webp"]}, "sh0": {"codebook": )" +
+                                     codebook + R"(, "files": ["a.webp"]}})"},
+          {folder + "a.webp", webp(1, 1, texel)},
+          {folder + "b.webp", webp(1, 1, texel, !lossy)}};
+}
+
+// A glTF of Gaussians at (1, 2, 3), one for each opacity, in a node with this matrix.
+std::string gltf_of_opacities(const std::vector<float>& opacities, std::vector<float> scale = {0.1f, 0.2f, 0.1f},
+                              const std::string& node = R"({"mesh": 0})",
+                              const std::string& space = "srgb_rec709_display") {
   std::string data;
+  const std::size_t count = opacities.size();
   const auto put = [&](const std::vector<float>& values) {
-    for (const float v : values) append_value(data, "float", v, false);
+    for (std::size_t i = 0; i < count; ++i)
+      for (const float v : values) append_value(data, "float", v, false);
   };
-  put({1, 2, 3}), put({0, 0, 0, 1}), put(scale), put({opacity}), put({0.5, 0.1, -0.2f});
+  put({1, 2, 3}), put({0, 0, 0, 1}), put(scale);
+  for (const float opacity : opacities) append_value(data, "float", opacity, false);
+  put({0.5, 0.1, -0.2f});
   std::string views, accessors;
   std::size_t at = 0;
   for (const auto& [floats, type] : {std::pair{3, "VEC3"}, {4, "VEC4"}, {3, "VEC3"}, {1, "SCALAR"}, {3, "VEC3"}}) {
     const std::string comma = views.empty() ? "" : ",";
-    views += comma + fmt::format(R"({{"buffer": 0, "byteOffset": {}, "byteLength": {}}})", at, 4 * floats);
-    accessors += comma + fmt::format(R"({{"bufferView": {}, "componentType": 5126, "count": 1, "type": "{}"}})",
-                                     std::count(views.begin(), views.end(), '{') - 1, type);
-    at += 4 * static_cast<std::size_t>(floats);
+    views += comma + fmt::format(R"({{"buffer": 0, "byteOffset": {}, "byteLength": {}}})", at,
+                                 4 * static_cast<std::size_t>(floats) * count);
+    accessors += comma + fmt::format(R"({{"bufferView": {}, "componentType": 5126, "count": {}, "type": "{}"}})",
+                                     std::count(views.begin(), views.end(), '{') - 1, count, type);
+    at += 4 * static_cast<std::size_t>(floats) * count;
   }
   return R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [)" + node +
          R"(], "meshes": [{"primitives": [{"mode": 0, "attributes": {"POSITION": 0,
@@ -144,6 +165,11 @@ std::string gltf_of(std::vector<float> scale, float opacity, const std::string& 
          fmt::format(R"(], "buffers": [{{"byteLength": {}, "uri":
          "data:application/octet-stream;base64,{}"}}]}})",
                      data.size(), base64(data));
+}
+
+std::string gltf_of(const std::vector<float>& scale, float opacity, const std::string& node = R"({"mesh": 0})",
+                    const std::string& space = "srgb_rec709_display") {
+  return gltf_of_opacities({opacity}, scale, node, space);
 }
 
 Camera camera_at(const glm::dvec3& position) {
@@ -260,6 +286,22 @@ std::map<std::string, std::function<Findings()>> cases() {
     change(columns, {"x"}, [](double v) { return v + 446000; });
     return read_ply_of(columns).findings;
   };
+  all["other_elements"] = [] {
+    PlyText text;
+    text.elements_after = "element delta_vertex_0 1\nproperty uchar x\n";
+    text.body_after = std::string(1, '\0');
+    return read_ply_of(trained(), text).findings;
+  };
+  all["zip_around"] = [] {
+    return read_bytes(zip({{"__MACOSX/._a.ply", "x"}, {"a.ply", PlyText{}.build(trained())}})).findings;
+  };
+  all["guessed"] = [] {
+    std::mt19937_64 random(5);
+    std::string floats;
+    for (int i = 0; i < 800; ++i) append_value(floats, "float", draw_uniform(random, 0.01, 1), false);
+    return read_bytes(floats).findings;
+  };
+  all["lossy_texture"] = [] { return read_bytes(zip(sog_of(true))).findings; };
   all["gzip_missing"] = [] { return read_bytes(spz_of(2)).findings; };
   all["gzip_around"] = [] { return read_bytes(gzip(PlyText{}.build(trained()))).findings; };
   all["axes_unknown"] = [] { return read_bytes(gzip(spz_of(3))).findings; };
@@ -485,6 +527,119 @@ TEST(Findings, SplatsWithRowsThatAreNoNumbersAreRead) {
   expect_one_line([] { read_bytes(std::string(640, '\xff')); }, {"expected a scene"});
 }
 
+// One of many that is out of its form is an error; all are another form.
+TEST(Findings, FewOddValuesAreNoOtherForm) {
+  std::string bytes = splat_of(60);
+  const float odd = -1e-6f;
+  std::memcpy(bytes.data() + 32 * 3 + 16, &odd, 4);
+  const Read one = read_bytes(bytes);
+  EXPECT_FALSE(one.has("log_scales"));
+  EXPECT_TRUE(one.has("non_finite"));
+  EXPECT_NEAR(one.scene.gaussians[0].log_scale.x, std::log(0.1), 1e-6);
+  for (std::size_t i = 0; i < 6; ++i) std::memcpy(bytes.data() + 32 * i + 12, &odd, 4);
+  EXPECT_TRUE(read_bytes(bytes).has("log_scales"));
+  // Opacities of glTF, of which one is rounded up and one is no opacity.
+  std::vector<float> opacities(60, 0.25f);
+  opacities[3] = 1.0000001f;
+  const Read rounded = read_bytes(gltf_of_opacities(opacities));
+  EXPECT_FALSE(rounded.has("logit_opacities"));
+  EXPECT_NEAR(rounded.scene.gaussians[0].opacity_logit, std::log(1.0 / 3), 1e-6);
+  EXPECT_EQ(rounded.scene.gaussians[3].opacity_logit, 20);
+  opacities[5] = 37;
+  EXPECT_TRUE(read_bytes(gltf_of_opacities(opacities)).has("non_finite"));
+}
+
+// Forms that nearly all values show, whatever a few hold.
+TEST(Findings, FormsAreSeenThroughOutliers) {
+  const auto linear = [](double v) { return std::exp(v); };
+  const auto share = [](double v) { return 1 / (1 + std::exp(-v)); };
+  const auto has = [](const char* key, const std::function<void(std::vector<Column>&)>& damage) {
+    std::vector<Column> columns;
+    for (int i = 0; i < 3; ++i) {  // 120 Gaussians
+      const std::vector<Column> more = trained();
+      for (std::size_t c = 0; c < more.size(); ++c) {
+        if (i == 0) columns.push_back(more[c]);
+        else columns[c].values.insert(columns[c].values.end(), more[c].values.begin(), more[c].values.end());
+      }
+    }
+    damage(columns);
+    return read_ply_of(columns).has(key);
+  };
+  EXPECT_TRUE(has("scale_form", [&](auto& c) {  // flat ones
+    change(c, kScales, linear);
+    change(c, {"scale_2"}, [](double) { return 0; });
+  }));
+  EXPECT_TRUE(has("scale_form", [&](auto& c) {
+    change(c, kScales, linear);
+    column(c, "scale_1").values[7] = -1e-3;
+  }));
+  EXPECT_TRUE(has("opacity_form", [&](auto& c) {
+    change(c, {"opacity"}, share);
+    column(c, "opacity").values[7] = 1.0001;
+  }));
+  EXPECT_TRUE(has("opacity_form", [&](auto& c) { change(c, {"opacity"}, [](double) { return 1; }); }));
+  EXPECT_TRUE(has("color_form", [&](auto& c) {
+    change(c, kColors, [](double v) { return 0.5 + v / 4; });
+    column(c, "f_dc_1").values[7] = 1.01;
+  }));
+  // z w x y
+  EXPECT_TRUE(has("rotation_form", [&](auto& c) { std::swap(column(c, "rot_0").values, column(c, "rot_1").values); }));
+}
+
+// What is no .splat: text, whole numbers, files of other programs; what is one: with rows of zeros, any first bytes.
+TEST(Findings, ASplatIsNoOtherFile) {
+  std::string numbers, table, utf16 = "\xff\xfe";
+  for (int i = 0; i < 400; ++i) append_value(numbers, "int", i, false);
+  for (int i = 0; i < 40; ++i) table += "1.0 2.0 3.0\n";
+  for (const char c : std::string("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n")) utf16 += {c, '\0'};
+  for (const auto& [bytes, words] : std::vector<std::pair<std::string, std::string>>{
+           {numbers, "1600 bytes that begin with"},
+           {table, "a text that begins with '1.0 2.0 3.0?"},
+           {"x,y,z\n" + table, "a text that begins with 'x,y,z?"},
+           {"404: Not Found", "a text that begins with '404: Not Found'"},
+           {utf16, "a text in UTF-16"},
+           {"\n<!DOCTYPE HTML PUBLIC \"-//W3C\">", "a web page (HTML)"},
+           {"<head><title>Sign in</title>", "a web page (HTML)"},
+           {"<Error><Code>NoSuchKey</Code></Error>", "XML"},
+           {std::string("BM\x36\x10\0\0\0\0\0\0\x36\0\0\0", 14), "a picture (BMP)"},
+           {R"({"asset": {"version": "1.1"}, "geometricError": 1, "root": {}})", "a tileset of 3D Tiles"}})
+    expect_one_line([&bytes = bytes] { read_bytes(bytes); }, {words}, words);
+  EXPECT_EQ(read_bytes(splat_of(20) + std::string(320, '\0')).scene.gaussians.size(), 30u);
+  for (const char* begin : {"PK\x01\x3f", "\x1f\x8b\x01\x3f"})
+    EXPECT_EQ(read_bytes(begin + splat_of(20).substr(4)).scene.gaussians.size(), 20u) << begin;
+}
+
+TEST(Findings, MarksAndSecondPackings) {
+  const std::string plain = PlyText{}.build(trained()), mark = "\xef\xbb\xbf";
+  const Scene meant = read_bytes(plain).scene;
+  for (const std::string& bytes : {mark + plain, "ply \n" + plain.substr(4), gzip(gzip(plain)),
+                                   zip({{"folder/a.ply", plain}, {"folder/readme.txt", "x"}})})
+    EXPECT_EQ(read_bytes(bytes).scene.gaussians[7].mean, meant.gaussians[7].mean);
+  EXPECT_EQ(read_bytes(gzip(gzip(spz_of(3)))).scene.gaussians.size(), 1u);
+  EXPECT_TRUE(read_bytes(mark + gltf_of({-2, -3, -2}, 0.5)).has("log_scales"));
+  Model model;
+  model.mark = mark;
+  EXPECT_TRUE(model.read().empty());
+  // An archive of Windows.
+  const Read sog = read_bytes(zip(sog_of(false, "folder\\")));
+  EXPECT_EQ(sog.scene.gaussians.size(), 1u);
+  EXPECT_FALSE(sog.has("lossy_texture"));
+  for (const auto& [texture, words] : {std::pair{"\x89PNG\r\n\x1a\n", "a picture (PNG)"},
+                                       {"version https://git-lfs.github.com/spec/v1", "a Git LFS pointer"}}) {
+    auto files = sog_of(false);
+    files[1].second = texture;
+    expect_one_line([&] { read_bytes(zip(files)); }, {words}, words);
+  }
+  expect_one_line([&] { cameras_of({{"a.json", std::string("\xff\xfe{\0\"\0w\0", 8)}}); }, {"UTF-16"});
+  expect_one_line(
+      [&] {
+        cameras_of({{"a.json", std::string("{") + kFrame + "}"},
+                    {"dataparser_transforms.json", "version https://git-lfs.github.com/spec/v1\n"}});
+      },
+      {"a Git LFS pointer"});
+  EXPECT_NO_THROW(cameras_of({{"a.json", std::string("{\"k1\": null, \"camera_model\": null, ") + kFrame + "}"}}));
+}
+
 // Names of photographs that look like numbers are no 2D points, and a lens that bends nothing is a pinhole.
 TEST(Findings, NoCameraIsLost) {
   for (const auto& [stem, ending] : {std::pair{"00", ""}, {"12 frame", ".png"}, {"3 4 ", ".png"}}) {
@@ -508,6 +663,65 @@ TEST(Findings, NoCameraIsLost) {
   Model model;
   model.slash = "/other/";
   EXPECT_EQ(model.read().at(0).kind->key, "other_ending");
+}
+
+TEST(Findings, GltfSaysWhatIsNotRead) {
+  const std::string plain = gltf_of({0.1f, 0.2f, 0.1f}, 0.5);
+  EXPECT_FALSE(read_bytes(plain).has("not_read"));
+  for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{
+           {"\"ellipse\"", "\"box\""},
+           {"srgb_rec709_display", "srgb_displayp3_display"},
+           {R"({"mesh": 0})", R"({"mesh": 0, "extensions": {"EXT_mesh_gpu_instancing": {}}})"},
+           {R"("asset": )", R"("extensionsUsed": ["CESIUM_RTC"], "asset": )"},
+           {R"("primitives": [)", R"("primitives": [{"mode": 4, "attributes": {}}, )"}})
+    EXPECT_TRUE(read_bytes(replaced(plain, from, to)).has("not_read")) << to;
+  for (const char* matrix : {"[1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,2]", "[1,0,0,0.5, 0,1,0,0, 0,0,1,0, 0,0,0,1]"})
+    expect_one_line(
+        [&] {
+          read_bytes(gltf_of({0.1f, 0.2f, 0.1f}, 0.5, std::string(R"({"mesh": 0, "matrix": )") + matrix + "}"));
+        },
+        {"0, 0, 0, 1 as its last row"});
+  std::string flags = spz_of(2);
+  flags[14] = '\x80';
+  EXPECT_TRUE(read_bytes(flags).has("not_read"));
+}
+
+// Colours by their values where their type does not say the range, more names, whole numbers far away.
+TEST(Findings, PropertiesOfMorePrograms) {
+  const Scene meant = read_ply_of(trained()).scene;
+  for (const auto& [type, range, names] : std::vector<std::tuple<const char*, double, std::array<const char*, 3>>>{
+           {"float", 255, {"red", "green", "blue"}},
+           {"int", 255, {"r", "g", "b"}},
+           {"uchar", 255, {"color_r", "color_g", "color_b"}}}) {
+    std::vector<Column> columns = trained();
+    for (std::size_t k = 0; k < 3; ++k) {
+      change(columns, {kColors[k]}, [&](double v) { return std::round(100 + 50 * v); });
+      rename(columns, kColors[k], names[k], type);
+    }
+    const Scene scene = read_ply_of(columns).scene;
+    for (std::size_t i = 0; i < kCount; ++i)
+      EXPECT_NEAR(scene.gaussians[i].sh_dc[1],
+                  (std::round(100 + 50 * meant.gaussians[i].sh_dc[1]) / range - 0.5) / kShConstant, 1e-5)
+          << type;
+  }
+  std::vector<Column> columns = trained();
+  for (const auto& [from, to] : {std::pair{"f_dc_0", "f_dc_r"},
+                                 {"f_dc_1", "f_dc_g"},
+                                 {"f_dc_2", "f_dc_b"},
+                                 {"rot_0", "rot0"},
+                                 {"rot_1", "rot1"},
+                                 {"rot_2", "rot2"},
+                                 {"rot_3", "rot3"}})
+    rename(columns, from, to);
+  EXPECT_EQ(read_ply_of(columns).scene.gaussians[9].rotation, meant.gaussians[9].rotation);
+  columns = trained();
+  rename(columns, "opacity", "density");
+  expect_one_line([&] { read_ply_of(columns); }, {"opacity is missing", "found density"});
+  columns = trained();
+  change(columns, {"x"}, [](double v) { return std::round(1000 * v) + 446000000; });
+  rename(columns, "x", "x", "int");
+  const Read read = read_ply_of(columns);
+  EXPECT_NEAR(read.scene.gaussians[4].mean.x + read.format.origin.x, value_of(columns, "x", 4), 1e-3);
 }
 
 TEST(Findings, WhatIsWrittenHoldsNumbersAlone) {
