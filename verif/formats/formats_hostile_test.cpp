@@ -177,13 +177,13 @@ TEST_F(FormatsHostile, Bombs) {
 
 TEST_F(FormatsHostile, WhatIsNoScene) {
   expect_refused("", {"an empty file", "expected a scene"});
-  expect_refused("PNG and more", {"'PNG and '", "expected a scene"});
+  expect_refused("PNG and more", {"'PNG and more'", "expected a scene"});
   expect_refused("ply", {"header"});
   expect_refused("{}", {"means", "expected a scene"});
   expect_refused("{\"means\": {}", {"not JSON"});
   expect_refused(gzip("no"), {"'no'", "expected a scene"});
-  expect_refused(gzip(std::string(100, 'x')), {"'xxxxxxxx'", "expected a scene"});
-  expect_refused("\x1f\x8bzzzz", {"gzip", "damaged"});
+  expect_refused(gzip(std::string(100, 'x')), {"'xxxxxxxx", "expected a scene"});
+  expect_refused("\x1f\x8b\x08zzzz", {"gzip", "damaged"});
   expect_refused("PK\x03\x04 no archive", {"zip archive"});
   expect_refused(zip({{"other.json", "{}"}}), {"found no 'meta.json'"});
   expect_refused("glTF", {"header"});
