@@ -6,7 +6,7 @@
 //         true one; PIPEGS_FAULT in the environment names what is done to its run:
 //           color   the lowest bit of red of the first pixel of region 5 is turned over wherever an RU shows it
 //           pixel   bit 9 of pixel 66,3 is turned over in memory, or of the first pixel where there is no such
-//           cycles  it reports one cycle more, and does not show the first chunk that its DOPU sends
+//           cycles  it reports one cycle more, and shows the first chunk that its DOPU sends a cycle late
 //           hang    it counts as hung before it can have asked for anything
 //           memory  the run has no memory left; bug: a function breaks its promise
 //         Or it is the library PIPEGS_LIBRTL, of other sources.
@@ -19,6 +19,7 @@
 #include <new>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "cpp_model/control/job.hpp"
 #include "cpp_model/frame_setup.hpp"
@@ -28,12 +29,16 @@
 namespace pipegs {
 namespace {
 
-// All that a machine shows, with a fault in it: its first chunk is missing, a colour is wrong, or something is done to
+// All that a machine shows, with a fault in it: its first chunk is late, a colour is wrong, or something is done to
 // the memory before the frame counts as complete.
 class FaultyTaps final : public RtlTaps {
  public:
-  FaultyTaps(RtlTaps& taps, std::string_view fault, std::function<void()> before_done)
-      : taps_(taps), shown_(fault != "cycles"), wrong_color_(fault == "color"), before_done_(std::move(before_done)) {}
+  FaultyTaps(const Config& config, RtlTaps& taps, std::string_view fault, std::function<void()> before_done)
+      : taps_(taps),
+        chunk_words_((record_width<Chunk>(config) + 31) / 32),
+        late_(fault == "cycles"),
+        wrong_color_(fault == "color"),
+        before_done_(std::move(before_done)) {}
   void on_splat(int unit, const uint32_t* splat) override { now().on_splat(unit, splat); }
   void on_sorted(const uint32_t* sorted) override { now().on_sorted(sorted); }
   void on_alphas(int lane, uint64_t x, uint64_t y, uint32_t index, int region, int quarter,
@@ -48,11 +53,16 @@ class FaultyTaps final : public RtlTaps {
     now().on_pixels(lane, region, quarter, wrong.data());
   }
   bool wants_cycles() const override { return taps_.wants_cycles(); }
-  void on_cycle(uint64_t number, const uint8_t* states) override { now().on_cycle(number, states); }
+  void on_cycle(uint64_t number, const uint8_t* states) override {
+    now().on_cycle(number, states);
+    if (held_) now().on_chunk(held_->unit, held_->kind, held_->words.data());
+    held_.reset();
+  }
   void on_border(const uint8_t* border) override { now().on_border(border); }
   void on_chunk(int unit, int kind, const uint32_t* chunk) override {
-    if (shown_) now().on_chunk(unit, kind, chunk);
-    shown_ = true;
+    if (!late_) return now().on_chunk(unit, kind, chunk);
+    late_ = false;
+    held_ = {unit, kind, {chunk, chunk + chunk_words_}};
   }
   void on_line_free(int unit) override { now().on_line_free(unit); }
   void on_layer_done(int unit, bool window_done) override { now().on_layer_done(unit, window_done); }
@@ -70,8 +80,15 @@ class FaultyTaps final : public RtlTaps {
     return taps_;
   }
 
+  struct Beat {
+    int unit, kind;
+    std::vector<uint32_t> words;
+  };
+
   RtlTaps& taps_;
-  bool shown_, wrong_color_;
+  const int chunk_words_;
+  bool late_, wrong_color_;
+  std::optional<Beat> held_;
   std::function<void()> before_done_;
 };
 
@@ -94,7 +111,7 @@ class FaultyMachine final : public RtlModel {
       if (fault_ == "pixel") turn_over(job_frame(config_, frames.front()), memory);
     };
     std::optional<FaultyTaps> faulty;
-    if (taps != nullptr) taps = &faulty.emplace(*taps, fault_, before_done);
+    if (taps != nullptr) taps = &faulty.emplace(config_, *taps, fault_, before_done);
     RtlResult result = machine_->run(frames, memory, mine, taps, progress);
     if (fault_ == "cycles") ++result.cycles;
     return result;
