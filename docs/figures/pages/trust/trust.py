@@ -1,11 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Figures of docs/trust/trust.md: the window of gates, lines never executed, and the last full runs."""
-import re
 
 from data import data
 from formats import group, table
 from markers import shown
-from sources import ROOT
 
 MEASURED = ["netlist/*", "coverage/*", "runs/*", "proofs/all"]
 WINDOW = data.netlist.fast_3_3
@@ -15,11 +13,6 @@ def covered():
     """What no frame has executed, by module."""
     rows = [[f"`{name}`", one.never, one.of, one.lines] for name, one in data.coverage.fast.never.items()]
     return table(["module", "never", "of", "lines"], rows)
-
-
-def in_table(name):
-    """How many mutants a table has."""
-    return len(re.findall("^mutant ", (ROOT / name).read_text(), re.MULTILINE))
 
 
 def names(of):
