@@ -223,13 +223,11 @@ bool decode_png(std::FILE* file, std::vector<png_bytep>& rows, Stored& out, Deco
 // How a picture of so many pixels fits a camera.
 enum class Fit { kExactly, kOtherwise, kNot };
 
-Fit fit(int width, int height, const Camera& camera, OtherSize other) {
+Fit fit(int width, int height, const Camera& camera) {
   if (width == camera.width && height == camera.height) return Fit::kExactly;
   const double x = static_cast<double>(width) / camera.width, y = static_cast<double>(height) / camera.height;
-  const bool followed = other == OtherSize::kFollowed;
   // To whole pixels: a side is rounded.
-  const bool same = followed ? std::abs(width - y * camera.width) < 1 || std::abs(height - x * camera.height) < 1
-                             : x == y && x == std::floor(x);
+  const bool same = std::abs(width - y * camera.width) < 1 || std::abs(height - x * camera.height) < 1;
   const bool near =
       std::max(x, y) <= kMostScale && std::min(x, y) >= 1 / kMostScale && std::int64_t{width} * height <= kMostPixels;
   return same && near ? Fit::kOtherwise : Fit::kNot;
@@ -238,12 +236,12 @@ Fit fit(int width, int height, const Camera& camera, OtherSize other) {
 bool is_turned(int orientation) { return orientation >= 5; }  // by a quarter
 
 // What orientation to take: the stored one where it fits, so that a picture whose pixels were turned already stays.
-std::optional<int> taken(const Stored& stored, const Camera& camera, OtherSize other) {
+std::optional<int> taken(const Stored& stored, const Camera& camera) {
   const int w = stored.picture.width, h = stored.picture.height;
   const bool quarter = is_turned(stored.orientation);
   for (const Fit wanted : {Fit::kExactly, Fit::kOtherwise}) {
-    if (fit(w, h, camera, other) == wanted) return 1;
-    if (quarter && fit(h, w, camera, other) == wanted) return stored.orientation;
+    if (fit(w, h, camera) == wanted) return 1;
+    if (quarter && fit(h, w, camera) == wanted) return stored.orientation;
   }
   return std::nullopt;
 }
@@ -275,7 +273,7 @@ Rgb8 turned(const Rgb8& stored, int orientation) {
   throw InputError(path.string(), "", what);
 }
 
-Stored read_stored(const std::filesystem::path& path, const Camera& camera, OtherSize other) {
+Stored read_stored(const std::filesystem::path& path, const Camera& camera) {
   require_regular_file(path, "a photograph");
   std::string head(512, '\0');
   std::ifstream stream(path, std::ios::binary);
@@ -293,7 +291,7 @@ Stored read_stored(const std::filesystem::path& path, const Camera& camera, Othe
   std::vector<png_bytep> rows;
   Decoding decoding;
   const std::function<bool(const Stored&)> wanted = [&](const Stored& found) {
-    return taken(found, camera, other).has_value();
+    return taken(found, camera).has_value();
   };
   decoding.wanted = &wanted;
   if (png ? decode_png(file.get(), rows, stored, decoding) : decode_jpeg(file.get(), inks, stored, decoding))
@@ -323,9 +321,9 @@ std::vector<Overlap> overlaps(int from, int to) {
 
 }  // namespace
 
-Photograph read_photograph(const std::filesystem::path& path, const Camera& camera, OtherSize other) {
-  Stored stored = read_stored(path, camera, other);
-  const int orientation = *taken(stored, camera, other);
+Photograph read_photograph(const std::filesystem::path& path, const Camera& camera) {
+  Stored stored = read_stored(path, camera);
+  const int orientation = *taken(stored, camera);
   Photograph photograph{.picture = std::move(stored.picture),
                         .camera = camera,
                         .turned = orientation != 1,
@@ -333,12 +331,10 @@ Photograph read_photograph(const std::filesystem::path& path, const Camera& came
                         .deep = stored.deep,
                         .gamma = stored.gamma,
                         .profile = foreign_profile(stored.profile)};
-  Rgb8& picture = photograph.picture;
-  if (photograph.turned) picture = turned(picture, orientation);
+  const Rgb8& picture = photograph.picture;
+  if (photograph.turned) photograph.picture = turned(picture, orientation);
   photograph.resized = picture.width != camera.width || picture.height != camera.height;
-  if (!photograph.resized) return photograph;
-  if (other == OtherSize::kShrunk) picture = shrunk(picture, camera.width, camera.height);
-  else photograph.camera = stretched(camera, picture.width, picture.height);
+  if (photograph.resized) photograph.camera = stretched(camera, picture.width, picture.height);
   return photograph;
 }
 

@@ -5,7 +5,7 @@
 //         that of sRGB; colours of a PNG with alpha stand over black. Other profiles than sRGB's are named and left
 //         alone. A file that ends early or holds codes that are none is refused; libjpeg would fill it with grey.
 // Rule    A picture has the size that its camera says. One that is stored turned, and says so by its EXIF orientation,
-//         is turned when only then it fits. Others fit as OtherSize says: none is stretched.
+//         is turned when only then it fits. Of another size but of one shape: the camera gets its pixels.
 // Errors  InputError with file and sizes, or with the library's own words.
 #pragma once
 
@@ -26,11 +26,7 @@ struct Photograph {
   std::string profile;  // the name of one that is not sRGB's
 };
 
-// What becomes of a picture of other pixels than its camera. kFollowed: where both have one shape, the camera gets
-// those of the picture. kShrunk: where its sides are so many whole times those of the camera, each pixel is the mean of
-// what it covers.
-enum class OtherSize { kFollowed, kShrunk };
-Photograph read_photograph(const std::filesystem::path& path, const Camera& camera, OtherSize other);
+Photograph read_photograph(const std::filesystem::path& path, const Camera& camera);
 
 // What was done to photographs to read them: a finding of each kind.
 class PhotographFindings {

@@ -22,7 +22,7 @@ constexpr std::array kEndings = {".png", ".PNG", ".jpg", ".JPG", ".jpeg", ".JPEG
 
 // The photograph as the view's pixels.
 Photograph read(const fs::path& file, const Camera& camera) {
-  Photograph photograph = read_photograph(file, camera, OtherSize::kFollowed);
+  Photograph photograph = read_photograph(file, camera);
   Rgb8& picture = photograph.picture;
   if (picture.width < camera.width || picture.height < camera.height)
     throw InputError(file.string(), "",

@@ -80,7 +80,7 @@ TrainingViews views_of_photographs(const ColmapFolder& folder, int downscale, do
   for (std::size_t i = 0; i < folder.cameras.size(); ++i) {
     advance(static_cast<double>(i) / static_cast<double>(folder.cameras.size()));
     const std::string& name = folder.cameras[i].name;
-    const Photograph photograph = read_photograph(folder.images / name, folder.cameras[i], OtherSize::kFollowed);
+    const Photograph photograph = read_photograph(folder.images / name, folder.cameras[i]);
     TrainingView view{scaled_camera(photograph.camera, 1.0 / downscale), {}, {}, near_plane};
     view.codes = shrunk(photograph.picture, view.camera.width, view.camera.height).data;
     found.add(name, photograph);
