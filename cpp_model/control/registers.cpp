@@ -155,19 +155,6 @@ std::vector<Slot> RegisterMap::shadow() const {
   return slots;
 }
 
-std::vector<RegisterField> slot_fields(const Slot& slot, int word) {
-  const int begin = std::max(slot.shift - 32 * word, 0), end = std::clamp(slot.shift + slot.width - 32 * word, 0, 32);
-  const bool has_sign = slot.is_signed && slot.width > 0;
-  std::vector<RegisterField> fields;
-  if (slot.width > 0 && end > begin) {
-    fields.push_back({"value", begin, end - begin, slot.writable ? Access::ReadWrite : Access::Read, 0, slot.unit,
-                      "bits " + std::to_string(32 * word + end - 1) + " to " + std::to_string(32 * word + begin)});
-  }
-  if (has_sign && end < 32) fields.push_back({"sign", end, 32 - end, Access::Read, 0, "", "the sign, once more"});
-  if (fields.empty()) fields.push_back({"zero", 0, 32, Access::Read, 0, "", "reads 0"});
-  return fields;
-}
-
 RegisterMap register_map(const Config& c) {
   std::vector<Slot> picture, counters, states;
   // clang-format off

@@ -61,9 +61,6 @@ struct RegisterMap {
 
 inline constexpr int kUnitStates = 4;  // counters of a unit: busy, starved, blocked, memory
 
-// What the bits of a slot's low (0) or high (1) word are: value, sign above it, zero. Never empty.
-std::vector<RegisterField> slot_fields(const Slot& slot, int word);
-
 // Throws std::logic_error when the table contradicts itself: overlaps, fields beyond their register, a full block.
 RegisterMap register_map(const Config& config);
 

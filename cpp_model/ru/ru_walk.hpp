@@ -10,7 +10,6 @@
 // RTL     rtl/ru/ru_dispatch.sv (owners), rtl/ru/ru_walk.sv (lines), rtl/ru/ru_fetch.sv (memory addresses)
 #pragma once
 
-#include <bit>
 #include <cstdint>
 
 #include "cpp_model/areas/areas.hpp"
@@ -38,11 +37,6 @@ inline int ru_region(const Config& c, int unit, int slot) {
   int region = slot * c.units;
   while (ru_owner(c, region) != unit) ++region;
   return region;
-}
-
-// Line of region r of a splat: the lines follow the set bits of the whole mask.
-inline uint64_t ru_line(const Sorted& splat, int region) {
-  return splat.address + std::popcount(splat.mask & ((uint64_t{1} << region) - 1));
 }
 
 // Bits of the number of an alpha line in its overflow area. Above it stands which of the unit's two areas; with lists

@@ -79,14 +79,6 @@ TEST(AxiRules, NoMoreThanAgreedAreUnanswered) {
   EXPECT_EQ(broken({write, write, write}, true), "more than 2 bursts are unanswered");
 }
 
-TEST(AxiRules, NothingIsValidInReset) {
-  AxiRules rules(128, 2, 2);
-  EXPECT_NO_THROW(rules.check_reset({}));
-  EXPECT_THROW(rules.check_reset(ar(address(64, 4))), std::runtime_error);
-  EXPECT_THROW(rules.check_reset(aw(address(64, 4))), std::runtime_error);
-  EXPECT_THROW(rules.check_reset(w(beat(1, true))), std::runtime_error);
-}
-
 // Writes a line and reads it back over the bus; the responses of the two.
 struct RoundTrip {
   AxiResponse write, read;

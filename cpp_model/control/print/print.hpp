@@ -19,11 +19,4 @@ std::string print_csv(const RegisterMap& map);      // package/pipegs_registers.
 // Whether a register holds what no text but the package's says.
 inline bool only_in_package(const std::string& name) { return name == "CONFIG_HASH"; }
 
-// The name of one of the two registers of a slot, of letters, digits and underlines only: frame_lens_focal_x_low.
-inline std::string word_name(const SlotBlock& block, const Slot& slot, int word) {
-  std::string name = block.name + "_" + slot.name + (word == 0 ? "_low" : "_high");
-  for (char& c : name) c = c == '.' ? '_' : c;
-  return name;
-}
-
 }  // namespace pipegs

@@ -34,8 +34,4 @@ void pack_line(const Config& config, const uint16_t codes[64], uint32_t* words) 
   for (int i = 0; i < 64; ++i) put_bits(words, i * config.alpha_w, config.alpha_w, codes[i]);
 }
 
-void unpack_line(const Config& config, const uint32_t* words, uint16_t codes[64]) {
-  for (int i = 0; i < 64; ++i) codes[i] = static_cast<uint16_t>(get_bits(words, i * config.alpha_w, config.alpha_w));
-}
-
 }  // namespace pipegs

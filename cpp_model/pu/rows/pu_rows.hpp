@@ -29,6 +29,5 @@ Alphas pu_rows(const Config& config, const RowJob& job, int bit);
 
 // The line as 32-bit words in memory order: LineW bits, first pixel in the low bits.
 void pack_line(const Config& config, const uint16_t codes[64], uint32_t* words);
-void unpack_line(const Config& config, const uint32_t* words, uint16_t codes[64]);
 
 }  // namespace pipegs

@@ -48,7 +48,6 @@ class AxiMemory {
 
   const AxiSubordinateSide& step();             // the next cycle begins: what is shown in it
   void observe(const AxiManagerSide& manager);  // what the manager shows in it
-  void observe_reset(const AxiManagerSide& manager) { rules_.check_reset(manager); }
 
   const MemoryLine& line(uint64_t address) const { return pages_.line(address); }  // contents, for host access
   MemoryLine& line(uint64_t address) { return pages_.line(address); }

@@ -61,14 +61,4 @@ void AxiRules::check(const AxiManagerSide& manager, const AxiSubordinateSide& ow
   if (own.b.valid && manager.b_ready) --writes_;
 }
 
-void AxiRules::check_reset(const AxiManagerSide& manager) {
-  ++cycle_;
-  if (manager.ar.valid) fail("AR", "valid in reset");
-  if (manager.aw.valid) fail("AW", "valid in reset");
-  if (manager.w.valid) fail("W", "valid in reset");
-  const uint64_t cycle = cycle_;
-  *this = AxiRules(bytes_ * 8, most_reads_, most_writes_);
-  cycle_ = cycle;
-}
-
 }  // namespace pipegs

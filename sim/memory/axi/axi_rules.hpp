@@ -2,8 +2,8 @@
 // axi_rules.hpp: does a manager obey AXI4? What a subordinate can see of it, cycle by cycle.
 //
 // Rule    What is shown and not taken stays, unchanged. Bursts are INCR in beats of the bus, aligned, within 4 KB.
-//         WLAST stands at the last beat of its burst. No more bursts are unanswered than agreed. Nothing is valid in
-//         reset. A broken rule is a std::runtime_error whose one line names the cycle, the channel and the rule.
+//         WLAST stands at the last beat of its burst. No more bursts are unanswered than agreed. A broken rule is a
+//         std::runtime_error whose one line names the cycle, the channel and the rule.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,6 @@ class AxiRules {
       : bytes_(data_w / 8), most_reads_(most_reads), most_writes_(most_writes) {}
 
   void check(const AxiManagerSide& manager, const AxiSubordinateSide& own);  // one cycle
-  void check_reset(const AxiManagerSide& manager);                           // one cycle in reset: all begins anew
 
  private:
   void fail(const std::string& channel, const std::string& rule) const;

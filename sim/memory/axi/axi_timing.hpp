@@ -37,7 +37,6 @@ class AxiTiming {
   bool ready() const { return ready_; }               // AR, AW and W
   bool beat() const { return beat_ > 0; }             // R is valid
   bool line_ends() const { return beat_ == beats_; }  // with the last beat of a line
-  int beat_number() const { return beat_ - 1; }       // in its line
   const AxiLine& beat_line() const { return shown_; }
   bool answer() const { return answer_; }  // B is valid
 
