@@ -5,7 +5,6 @@
 // Idea    A case is a key and a file that a program of another writes so, made here. The values that were mended are
 //         held against those of a file that has them in the right form.
 #include <gtest/gtest.h>
-#include <zlib.h>
 
 #include <functional>
 #include <map>
@@ -19,6 +18,7 @@
 #include "scenes/colmap/colmap.hpp"
 #include "scenes/formats/read_scene.hpp"
 #include "scenes/ply/ply.hpp"
+#include "verif/formats/packed_bytes.hpp"
 #include "verif/scenes/ply_file.hpp"
 #include "verif/scenes/refused.hpp"
 #include "verif/scenes/scratch_folder.hpp"
@@ -109,20 +109,6 @@ std::string splat_of(std::size_t count) {
   return bytes;
 }
 
-std::string gzipped(const std::string& bytes) {
-  z_stream stream{};
-  EXPECT_EQ(deflateInit2(&stream, 9, Z_DEFLATED, 16 + MAX_WBITS, 8, Z_DEFAULT_STRATEGY), Z_OK);
-  std::string packed(bytes.size() + 1000, '\0');
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
-  stream.avail_in = static_cast<uInt>(bytes.size());
-  stream.next_out = reinterpret_cast<Bytef*>(packed.data());
-  stream.avail_out = static_cast<uInt>(packed.size());
-  EXPECT_EQ(deflate(&stream, Z_FINISH), Z_STREAM_END);
-  packed.resize(stream.total_out);
-  deflateEnd(&stream);
-  return packed;
-}
-
 std::string spz_of(std::uint32_t version, const std::string& tail = "") {
   std::string bytes = "NGSP";
   append_value(bytes, "uint", version, false);
@@ -140,14 +126,6 @@ std::string gltf_of(std::vector<float> scale, float opacity, const std::string& 
     for (const float v : values) append_value(data, "float", v, false);
   };
   put({1, 2, 3}), put({0, 0, 0, 1}), put(scale), put({opacity}), put({0.5, 0.1, -0.2f});
-  static const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string base64;
-  for (std::size_t i = 0; i < data.size(); i += 3) {
-    std::uint32_t three = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      three = three << 8 | (i + k < data.size() ? static_cast<unsigned char>(data[i + k]) : 0u);
-    for (int k = 3; k >= 0; --k) base64 += digits[three >> 6 * k & 63];
-  }
   std::string views, accessors;
   std::size_t at = 0;
   for (const auto& [floats, type] : {std::pair{3, "VEC3"}, {4, "VEC4"}, {3, "VEC3"}, {1, "SCALAR"}, {3, "VEC3"}}) {
@@ -165,7 +143,7 @@ std::string gltf_of(std::vector<float> scale, float opacity, const std::string& 
          space + R"("}}}]}], "accessors": [)" + accessors + R"(], "bufferViews": [)" + views +
          fmt::format(R"(], "buffers": [{{"byteLength": {}, "uri":
          "data:application/octet-stream;base64,{}"}}]}})",
-                     data.size(), base64);
+                     data.size(), base64(data));
 }
 
 Camera camera_at(const glm::dvec3& position) {
@@ -280,8 +258,8 @@ std::map<std::string, std::function<Findings()>> cases() {
     return read_ply_of(columns).findings;
   };
   all["gzip_missing"] = [] { return read_bytes(spz_of(2)).findings; };
-  all["gzip_around"] = [] { return read_bytes(gzipped(PlyText{}.build(trained()))).findings; };
-  all["axes_unknown"] = [] { return read_bytes(gzipped(spz_of(3))).findings; };
+  all["gzip_around"] = [] { return read_bytes(gzip(PlyText{}.build(trained()))).findings; };
+  all["axes_unknown"] = [] { return read_bytes(gzip(spz_of(3))).findings; };
   all["log_scales"] = [] { return read_bytes(gltf_of({-2, -3, -2}, 0.5)).findings; };
   all["logit_opacities"] = [] { return read_bytes(gltf_of({0.1f, 0.2f, 0.1f}, -2)).findings; };
   all["linear_colors"] = [] {
