@@ -5,8 +5,6 @@
 namespace pipegs {
 namespace {
 
-using Json = nlohmann::json;
-
 class CampaignFile : public Cli {
  protected:
   void SetUp() override {

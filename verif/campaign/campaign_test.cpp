@@ -8,8 +8,6 @@
 namespace pipegs {
 namespace {
 
-using Json = nlohmann::json;
-
 class CampaignRun : public Cli {
  protected:
   const std::string parallel_ = "parallel -j 1 < out/lines.txt";

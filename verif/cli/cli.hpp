@@ -21,6 +21,7 @@
 namespace pipegs {
 
 namespace fs = std::filesystem;
+using Json = nlohmann::json;
 
 struct Outcome {
   int code;
@@ -31,6 +32,8 @@ class Cli : public testing::Test {
  protected:
   // Of the machines that tests build the one that compiles soonest, for whoever needs another variant of one: waves.
   const std::string smallest_ = "--design dop --set units=1 --set alpha_lines=64 --set records=16 ";
+
+  const std::string view_ = " scene.ply --cameras cameras.json ";  // of what SetUp writes
 
   void SetUp() override {
     folder_ = fs::temp_directory_path() / ("pipegs_cli_" + std::to_string(getpid()));
@@ -46,6 +49,12 @@ class Cli : public testing::Test {
   Outcome shell(const std::string& line) {
     const int status = std::system(("cd '" + folder_.string() + "' && { " + line + "\n} > out.txt 2> err.txt").c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text("out.txt"), text("err.txt")};
+  }
+  // What a command prints with --json.
+  Json json(const std::string& arguments, int code = 0) {
+    const Outcome outcome = run(arguments + " --json");
+    EXPECT_EQ(outcome.code, code) << outcome.err;
+    return Json::parse(outcome.out);
   }
   std::string text(const std::string& name) {
     std::ifstream file(folder_ / name, std::ios::binary);

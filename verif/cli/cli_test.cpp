@@ -10,7 +10,7 @@ TEST_F(Cli, SimAgreesAndWritesPictureAndReport) {
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   for (const char* name : {"frame.exr", "frame.png", "report.json"})
     EXPECT_TRUE(fs::exists(folder_ / "pictures" / name)) << name;
-  const auto report = nlohmann::json::parse(text("pictures/report.json"));
+  const auto report = Json::parse(text("pictures/report.json"));
   EXPECT_EQ(report["mismatches"], 0);
   for (const char* key :
        {"scene", "camera", "config", "cycles", "units", "memory", "work", "psnr_numeric_db", "psnr_order_db",
@@ -28,8 +28,7 @@ TEST_F(Cli, ThePictureInRasterOrderIsTheSame) {
   const Outcome outcome = run(sim + "--picture raster --out raster");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(text("raster/frame.png"), text("windows/frame.png"));
-  const auto raster = nlohmann::json::parse(text("raster/report.json")),
-             windows = nlohmann::json::parse(text("windows/report.json"));
+  const auto raster = Json::parse(text("raster/report.json")), windows = Json::parse(text("windows/report.json"));
   EXPECT_EQ(raster["config"]["picture"], "raster");
   EXPECT_EQ(windows["config"]["picture"], "windows");
   // Rows of eight pixels, four bytes each, of a picture whose sides need not be multiples of anything.
@@ -44,8 +43,8 @@ TEST_F(Cli, ViewsFollowInOneMachine) {
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   for (const char* name : {"frame_0000.png", "frame_0001.png", "frames.csv"})
     EXPECT_TRUE(fs::exists(folder_ / "pictures" / name)) << name;
-  const auto report = nlohmann::json::parse(text("pictures/sequence.json"));
-  EXPECT_EQ(report, nlohmann::json::parse(outcome.out));
+  const auto report = Json::parse(text("pictures/sequence.json"));
+  EXPECT_EQ(report, Json::parse(outcome.out));
   ASSERT_EQ(report["views"].size(), 2u);
   uint64_t queued = 0, alone = 0;
   for (const auto& view : report["views"]) {
@@ -58,7 +57,7 @@ TEST_F(Cli, ViewsFollowInOneMachine) {
   EXPECT_LT(queued, alone);
   // A frame that is alone takes as long as in a machine of its own, and until its last pixel is in memory.
   ASSERT_EQ(run("sim scene.ply --cameras cameras.json --view 1 --no-truth --out single").code, 0);
-  const auto single = nlohmann::json::parse(text("single/report.json"));
+  const auto single = Json::parse(text("single/report.json"));
   EXPECT_GE(report["views"][0]["cycles_alone"], single["cycles"]);
   EXPECT_LE(report["views"][0]["cycles_alone"], single["cycles"].get<uint64_t>() + 100);
 }
@@ -74,7 +73,7 @@ TEST_F(Cli, ADesignPointIsItsSettingsAndThoseBehindIt) {
     const Outcome outcome =
         run("sim scene.ply --cameras cameras.json " + design + "--no-truth --no-rtl --json --out pictures");
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    return nlohmann::json::parse(outcome.out)["config"];
+    return Json::parse(outcome.out)["config"];
   };
   const auto standard = config_of(""), paper = config_of("--design dop ");
   EXPECT_EQ(standard, config_of("--design fast "));
@@ -141,7 +140,7 @@ TEST_F(Cli, WhatIsOddIsSaid) {
   EXPECT_EQ(empty.code, 0) << empty.err;
   EXPECT_NE(empty.err.find("before the near plane of 1e+06"), std::string::npos) << empty.err;
   EXPECT_EQ(std::count(empty.err.begin(), empty.err.end(), '\n'), 1) << "said twice: " << empty.err;
-  const auto findings = nlohmann::json::parse(text("odd/report.json")).at("findings");
+  const auto findings = Json::parse(text("odd/report.json")).at("findings");
   EXPECT_TRUE(std::any_of(findings.begin(), findings.end(), [](const auto& f) { return f["key"] == "empty_view"; }));
   const Outcome strict = run(sim + " --strict");
   EXPECT_EQ(strict.code, 2);
@@ -154,12 +153,12 @@ TEST_F(Cli, WhatIsOddIsSaid) {
 TEST_F(Cli, InfoCounts) {
   const Outcome outcome = run("info scene.ply --json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_EQ(nlohmann::json::parse(outcome.out)["gaussians"], 300);
+  EXPECT_EQ(Json::parse(outcome.out)["gaussians"], 300);
 }
 
 // Of each grid and axis, what share of the Gaussians reaches over a plane; the text and the JSON say the same.
 TEST_F(Cli, InfoTellsWhoReachesOverAPlane) {
-  const auto margins = nlohmann::json::parse(run("info scene.ply --json").out).at("layers");
+  const auto margins = Json::parse(run("info scene.ply --json").out).at("layers");
   const std::string text = run("info scene.ply").out;
   ASSERT_EQ(margins.size(), 2u);
   for (const auto& margin : margins) {
@@ -196,7 +195,7 @@ TEST_F(Cli, PackWritesTheImageAndItsHeader) {
 TEST_F(Cli, ExplainShowsTheSameAlphaInGoldenAndRtl) {
   const Outcome outcome = run("explain scene.ply --cameras cameras.json --pixel 35,25 --json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  const auto explained = nlohmann::json::parse(outcome.out);
+  const auto explained = Json::parse(outcome.out);
   ASSERT_FALSE(explained["gaussians"].empty());
   int compared = 0;
   for (const auto& row : explained["gaussians"]) {

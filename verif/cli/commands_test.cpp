@@ -9,18 +9,7 @@
 namespace pipegs {
 namespace {
 
-using Json = nlohmann::json;
-
-class Commands : public Cli {
- protected:
-  const std::string view_ = " scene.ply --cameras cameras.json ";
-
-  Json json(const std::string& arguments, int code = 0) {
-    const Outcome outcome = run(arguments + " --json");
-    EXPECT_EQ(outcome.code, code) << outcome.err;
-    return Json::parse(outcome.out);
-  }
-};
+class Commands : public Cli {};
 
 TEST_F(Commands, LadderComparesDesignPointsAndWritesTheirFigures) {
   const Json ladder = json("ladder" + view_ + "--designs dop,late,fast --out designs");

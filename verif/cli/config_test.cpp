@@ -8,15 +8,8 @@
 namespace pipegs {
 namespace {
 
-using Json = nlohmann::json;
-
 class ConfigCommand : public Cli {
  protected:
-  Json json(const std::string& arguments) {
-    const Outcome outcome = run(arguments + " --json");
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
-    return Json::parse(outcome.out);
-  }
   static Json of(const Json& entries, std::string_view key) {
     for (const Json& entry : entries) {
       if (entry["key"] == key) return entry;

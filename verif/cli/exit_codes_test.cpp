@@ -13,8 +13,6 @@ namespace {
 
 class ExitCodes : public Cli {
  protected:
-  const std::string view_ = " scene.ply --cameras cameras.json ";
-
   Outcome faulty(const std::string& fault, const std::string& arguments) {
     return shell("PIPEGS_FAULT=" + fault + " '" PIPEGS_FAULTY "' " + arguments);
   }
@@ -68,10 +66,10 @@ TEST_F(ExitCodes, OneWhenTheTimingModelDiffersByOneCycle) {
   EXPECT_EQ(text.code, 1) << text.err;
   EXPECT_NE(text.out.find("differs"), std::string::npos) << text.out;
   EXPECT_EQ(json.code, 1) << json.err;
-  EXPECT_FALSE(nlohmann::json::parse(json.out)["designs"][0]["differences"].empty());
+  EXPECT_FALSE(Json::parse(json.out)["designs"][0]["differences"].empty());
   EXPECT_NE(text.out.find("    cycles: RTL "), std::string::npos) << text.out;
   EXPECT_NE(text.out.find("    they part in cycle "), std::string::npos) << text.out;
-  const nlohmann::json first = nlohmann::json::parse(json.out)["designs"][0]["first_difference"];
+  const Json first = Json::parse(json.out)["designs"][0]["first_difference"];
   ASSERT_TRUE(first.is_object()) << json.out;
   EXPECT_GT(first["cycle"], 0);
   EXPECT_EQ(first["rtl"], "nothing");
@@ -86,8 +84,8 @@ TEST_F(ExitCodes, OneWhenGatesTakeAnotherCycle) {
   EXPECT_EQ(none.code, 0) << none.err;
   EXPECT_EQ(faulty("cycles", "sim" + view_ + "--no-truth").code, 0) << "a run without gates compares no cycles";
   EXPECT_EQ(cycles.code, 1) << cycles.err;
-  EXPECT_EQ(nlohmann::json::parse(cycles.out)["mismatches"], 1);
-  const uint64_t taken = nlohmann::json::parse(none.out)["cycles"];
+  EXPECT_EQ(Json::parse(cycles.out)["mismatches"], 1);
+  const uint64_t taken = Json::parse(none.out)["cycles"];
   EXPECT_NE(cycles.err.find(fmt::format("gates take {} cycles, RTL {} ", taken + 1, taken)), std::string::npos);
   EXPECT_NE(cycles.err.find("they part in cycle "), std::string::npos) << cycles.err;
   EXPECT_NE(cycles.err.find(": gates nothing, RTL takes a chunk\n"), std::string::npos) << cycles.err;
@@ -104,7 +102,7 @@ TEST_F(ExitCodes, OneWhenAMachineOfEffectsDiffers) {
   const Outcome pixel = faulty("pixel", lean);
   EXPECT_EQ(pixel.code, 1) << pixel.err;
   EXPECT_NE(pixel.err.find("the machine is wrong"), std::string::npos) << pixel.err;
-  EXPECT_GT(nlohmann::json::parse(pixel.out)["mismatches"], 0);
+  EXPECT_GT(Json::parse(pixel.out)["mismatches"], 0);
   EXPECT_EQ(faulty("hang", lean).code, 1);
 }
 
@@ -114,7 +112,7 @@ TEST_F(ExitCodes, OneWhenAnErrorIsBeyondItsBound) {
   EXPECT_NE(none.out.find("beyond the bound: 0"), std::string::npos) << none.out;
   EXPECT_EQ(beyond.code, 1) << beyond.out;
   EXPECT_NE(beyond.out.find("beyond the bound: 1"), std::string::npos) << beyond.out;
-  EXPECT_EQ(nlohmann::json::parse(faulty("bound", "study budget --count 100 --json").out)["beyond_bound"], 1);
+  EXPECT_EQ(Json::parse(faulty("bound", "study budget --count 100 --json").out)["beyond_bound"], 1);
 }
 
 TEST_F(ExitCodes, OneWhenAPictureDiffers) {

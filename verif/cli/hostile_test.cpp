@@ -14,12 +14,8 @@
 namespace pipegs {
 namespace {
 
-using Json = nlohmann::json;
-
 class Hostile : public Cli {
  protected:
-  const std::string view_ = " scene.ply --cameras cameras.json --no-rtl --no-truth ";
-
   // One line of at most 300 characters, none of them a command of a terminal; nothing on standard output.
   void expect_told(const std::string& arguments, const std::string& part) {
     SCOPED_TRACE(arguments);
@@ -86,7 +82,8 @@ TEST_F(Hostile, ArgumentsAreTextsOfOneLine) {
   expect_told("sim scene.ply --no-rtl --no-truth --size= --out x", "--size: found ''");
   expect_told("info ''", "found ''");
   EXPECT_FALSE(fs::exists(folder_ / "x"));
-  expect_told("sim" + view_ + "--out \"$(printf 'a\\nb')\"", "expected one line without control characters");
+  expect_told("sim" + view_ + "--no-rtl --no-truth --out \"$(printf 'a\\nb')\"",
+              "expected one line without control characters");
   expect_told("info \"$(printf 'a\\033b')\"", "'a?b'");
 }
 

@@ -12,11 +12,9 @@
 namespace pipegs {
 namespace {
 
-using Json = nlohmann::json;
-
 class MismatchCli : public Cli {
  protected:
-  const std::string view_ = " scene.ply --cameras cameras.json ", faulty_ = "PIPEGS_FAULT=color '" PIPEGS_FAULTY "' ";
+  const std::string faulty_ = "PIPEGS_FAULT=color '" PIPEGS_FAULTY "' ";
 
   // The outcome of a line, both of whose streams are one, as on a terminal.
   std::vector<std::string> lines_of(const std::string& line) {

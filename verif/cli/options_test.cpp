@@ -8,8 +8,6 @@ namespace {
 
 class Options : public Cli {
  protected:
-  const std::string view_ = " scene.ply --cameras cameras.json ";
-
   void expect_no(const std::string& command, const std::string& option, const std::vector<std::string>& values) {
     for (const std::string& value : values)
       expect_refused(command + option + " '" + value + "'", option.substr(option.rfind(' ') + 1) + ":");
@@ -65,7 +63,7 @@ TEST_F(Options, NumbersAreDecimal) {
                               "--no-truth --no-rtl --memory ideal --latency 010 --jitter +3 --seed "
                               "18446744073709551615 --json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  const auto config = nlohmann::json::parse(outcome.out)["config"];
+  const auto config = Json::parse(outcome.out)["config"];
   EXPECT_EQ(config["memory_latency"], 10);
   EXPECT_EQ(config["memory_jitter"], 3);
   EXPECT_EQ(config["seed"], 18446744073709551615ull);

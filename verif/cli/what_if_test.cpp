@@ -7,17 +7,8 @@
 namespace pipegs {
 namespace {
 
-using Json = nlohmann::json;
-
 class WhatIf : public Cli {
  protected:
-  const std::string view_ = " scene.ply --cameras cameras.json ";
-
-  Json json(const std::string& arguments) {
-    const Outcome outcome = run(arguments + " --json");
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
-    return Json::parse(outcome.out);
-  }
   // The line of a table that begins so.
   static std::string line_of(const Outcome& outcome, const std::string& name) {
     const size_t at = outcome.out.find("\n  " + name);

@@ -8,17 +8,8 @@
 namespace pipegs {
 namespace {
 
-using Json = nlohmann::json;
-
 class Words : public Cli {
  protected:
-  const std::string view_ = " scene.ply --cameras cameras.json ";
-
-  Json json(const std::string& arguments) {
-    const Outcome outcome = run(arguments + " --json");
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
-    return Json::parse(outcome.out);
-  }
   // What stands behind `before` on its line of standard error.
   static std::string behind(const std::string& before, const Outcome& outcome) {
     const size_t at = outcome.err.find(before);

@@ -11,23 +11,26 @@ scenes=${PIPEGS_SHARED:-$root/../shared}/scenes
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 tried=0 status=0
-check() {  # folder, scene in it, Gaussians
-  local folder=$scenes/$1 scene=$scenes/$1/$2
+check() {  # folder, scene in it, Gaussians, view
+  local folder=$scenes/$1 scene=$scenes/$1/$2 view=${4:-0}
   [ -e "$scene" ] || { echo "skipped: no $scene"; return; }
   tried=$((tried + 1))
   "$pipegs" info "$scene" | grep -q ": $3 Gaussians ($3 usable)" || { echo "$scene: not $3 Gaussians"; status=1; }
-  "$pipegs" render "$scene" --cameras "$folder/cameras.json" --model truth --semantics inria --out "$work/out" \
-    --compare "$folder/reference.png" > "$work/log" 2>&1
+  "$pipegs" render "$scene" --cameras "$folder/cameras.json" --view "$view" --model truth --semantics inria \
+    --out "$work/out" --compare "$folder/reference${4:+_$4}.png" > "$work/log" 2>&1
   local differing pixels codes
   read -r differing pixels codes < <(
     sed -n 's/^against .*: \([0-9]*\) of \([0-9]*\) pixels .* by \([0-9]*\) codes.*/\1 \2 \3/p' "$work/log"
   )
-  echo "$1: ${differing:-?} of ${pixels:-?} pixels differ, by ${codes:-?} of 255 at most"
+  echo "$1, view $view: ${differing:-?} of ${pixels:-?} pixels differ, by ${codes:-?} of 255 at most"
   if [ -z "$differing" ] || [ "$codes" -gt 1 ] || [ $((differing * 10000)) -gt "$pixels" ]; then
     cat "$work/log"
     status=1
   fi
 }
+check plushdog point_cloud_29999_clean.ply 15105
+check plushdog point_cloud_29999_clean.ply 15105 1
+check plushdog point_cloud_29999_clean.ply 15105 2
 check statue st-peter.sog 133618
 check flowers flowers/lod-meta.json 542104
 check terrace splat_30000_full_output/lod-meta.json 300000

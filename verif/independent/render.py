@@ -1,6 +1,5 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""render.py SCENE.ply CAMERAS.json VIEW OUT.pfm: a renderer of 3D Gaussians in numpy, written from INRIA's semantics.
+"""render.py: a renderer of 3D Gaussians in numpy, written from INRIA's semantics.
 
 It shares nothing with the C++ of this project, so that an error in one is not an error in the other. Everything is
 computed in double precision, Gaussian by Gaussian instead of tile by tile; the picture is a float32 PFM (bottom row
@@ -12,9 +11,6 @@ preprocessCUDA in that file at 077706fe. A principal point off the centre, which
 render(..., whole=True) is what machines promise instead, where that differs: a Gaussian counts wherever its alpha is
 1/255, not only in tiles that three sigma touch; there is no 1e-7 beside w; depths are compared in double.
 """
-import json
-import sys
-
 import numpy as np
 
 C1 = 0.4886025119029199
@@ -127,10 +123,3 @@ def write_pfm(path, picture):
     with open(path, "wb") as out:
         out.write(b"PF\n%d %d\n-1.0\n" % (picture.shape[1], picture.shape[0]))
         out.write(picture[::-1].astype("<f4").tobytes())
-
-
-if __name__ == "__main__":
-    if len(sys.argv) != 5:
-        sys.exit(__doc__)
-    view = json.load(open(sys.argv[2], encoding="utf-8"))[int(sys.argv[3])]
-    write_pfm(sys.argv[4], render(Scene(sys.argv[1]), view)[0])

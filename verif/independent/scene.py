@@ -1,26 +1,21 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""scene.py [FOLDER]: writes scene.ply and cameras.json, the small scene of the independent check, here or there.
+"""scene.py: Gaussians for the independent check, and how they are written as a .ply.
 
-Twenty-four Gaussians with SH of degree 3, placed for what renderers get wrong: needles and discs at an angle, a
-quaternion that is not of length one, opaque ones in a row that end a pixel, two at one depth, faint ones on both sides
-of 1/255, the near plane, means outside the image within and beyond the guard band, one smaller than a pixel, one of
-1000 units. View 0 looks along z, so that equal depths are equal to the last bit; view 1 looks across.
+Twenty-four Gaussians, placed for what renderers get wrong: needles and discs at an angle, a quaternion that is not of
+length one, opaque ones in a row that end a pixel, two at one depth, faint ones on both sides of 1/255, the near plane,
+means outside the image within and beyond the guard band, one smaller than a pixel, one of 1000 units. A camera at
+CAMERA that is not turned sees depths that are equal to the last bit.
 """
-import json
 import math
-import os
 import random
 import struct
-import sys
 
 CAMERA = (1.0, -2.0, 3.0)
-FOCAL, WIDTH, HEIGHT = 56.0, 64, 48
 LEVEL = (1.0, 0.0, 0.0, 0.0)
 
 
 def gaussian(place, sigma, turn, opacity, colour):
-    """Place in view 0 (right, down, forward), sigma along three axes, quaternion (w x y z), opacity, RGB."""
+    """Place before CAMERA (right, down, forward), sigma along three axes, quaternion (w x y z), opacity, RGB."""
     return place, sigma if isinstance(sigma, tuple) else (sigma,) * 3, turn, opacity, colour
 
 
@@ -76,26 +71,7 @@ def write_ply(path, scene, degree=3, antialiased=False):
             file.write(struct.pack(f"<{len(row)}f", *row))
 
 
-def camera(number, position, rotation):
-    return {
-        "id": number, "img_name": f"view_{number}", "width": WIDTH, "height": HEIGHT,
-        "position": position, "rotation": rotation, "fy": FOCAL, "fx": FOCAL,
-    }  # fmt: skip
-
-
 def turned(about_y, about_x):
     """Camera to world: a turn about the y axis, then the camera's own about its x axis."""
     c, s, k, l = math.cos(about_y), math.sin(about_y), math.cos(about_x), math.sin(about_x)
     return [[c, s * l, s * k], [0.0, k, -l], [-s, c * l, c * k]]
-
-
-if __name__ == "__main__":
-    folder = sys.argv[1] if len(sys.argv) > 1 else os.path.dirname(os.path.abspath(__file__))
-    write_ply(f"{folder}/scene.ply", SCENE)
-    views = [
-        camera(0, list(CAMERA), [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]),
-        camera(1, [3.5, -3.0, 3.25], turned(-0.6, -0.2)),
-    ]
-    with open(f"{folder}/cameras.json", "w", encoding="utf-8") as file:
-        json.dump(views, file, indent=1)
-        file.write("\n")

@@ -5,8 +5,6 @@
 namespace pipegs {
 namespace {
 
-using Json = nlohmann::json;
-
 class Report : public Cli {
  protected:
   static Json good() {

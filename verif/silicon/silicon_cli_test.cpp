@@ -9,12 +9,10 @@
 namespace pipegs {
 namespace {
 
-using Json = nlohmann::json;
-
 class SiliconCli : public Cli {
  protected:
-  const std::string silicon_ = "silicon scene.ply --cameras cameras.json --synth synth --library hand ";
-  const std::string view_ = silicon_ + "--no-energy --design dop ";
+  const std::string silicon_ = "silicon" + view_ + "--synth synth --library hand ";
+  const std::string area_ = silicon_ + "--no-energy --design dop ";
 
   Json synth() {
     Json json = {{"configuration", "default"},
@@ -61,7 +59,7 @@ class SiliconCli : public Cli {
 
 TEST_F(SiliconCli, SetsAreaAndClockBesideThePapers) {
   plant(synth().dump());
-  const Outcome outcome = run(view_ + "--json");
+  const Outcome outcome = run(area_ + "--json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const Json json = Json::parse(outcome.out);
   EXPECT_EQ(json["charts"][0]["name"], "area");
@@ -79,7 +77,7 @@ TEST_F(SiliconCli, SetsAreaAndClockBesideThePapers) {
   EXPECT_DOUBLE_EQ(design_point["fps_per_mm2"], design_point["fps"].get<double>() / sum);
   EXPECT_EQ(json["paper"].back()["area_mm2"], 3.283);
   EXPECT_EQ(json["gscore"].back()["power_w"], 0.87);
-  const Outcome table = run(view_);
+  const Outcome table = run(area_);
   for (const char* part : {"kNAND2", "paper mm2", "frames/s/mm2", "GSCore"})
     EXPECT_NE(table.out.find(part), std::string::npos) << part;
 }
@@ -90,7 +88,7 @@ TEST_F(SiliconCli, CountsFramesAtTheClockThatThePathAllows) {
   slow["units"][3]["path_ps"] = 8000;  // the RU's
   slow["units"][4]["path_ps"] = 8000;
   plant(slow.dump());
-  const Outcome outcome = run(view_ + "--json");
+  const Outcome outcome = run(area_ + "--json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const Json design_point = Json::parse(outcome.out)["designs"][0];
   EXPECT_DOUBLE_EQ(design_point["ghz"], 1e3 / (80 * 16));
@@ -200,40 +198,40 @@ TEST_F(SiliconCli, FiguresAreThoseOfAMachineThatAgrees) {
 }
 
 TEST_F(SiliconCli, RefusesWhatMakeSynthDidNotWrite) {
-  expect_refused(view_, "not found: `make synth` writes it");
+  expect_refused(area_, "not found: `make synth` writes it");
   plant("{");
-  expect_refused(view_, "synth.json: not JSON");
+  expect_refused(area_, "synth.json: not JSON");
   Json json = synth();
   json["configuration"] = "units=2";
   plant(json.dump());
-  expect_refused(view_, "configuration: found 'units=2', expected default");
+  expect_refused(area_, "configuration: found 'units=2', expected default");
   json = synth();
   json["units"][1].erase("switch_j");
   plant(json.dump());
-  expect_refused(view_, "switch_j");
+  expect_refused(area_, "switch_j");
   const std::string good = synth().dump();
   plant(good.substr(0, good.size() - 1) + ",\"volts\":1.8}");
-  expect_refused(view_, "found a second 'volts', expected one");
+  expect_refused(area_, "found a second 'volts', expected one");
   plant(good + "}");
-  expect_refused(view_, "synth.json: not JSON");
+  expect_refused(area_, "synth.json: not JSON");
   plant(std::string(400000, '[') + std::string(400000, ']'));
-  expect_refused(view_, "more than 64 brackets");
+  expect_refused(area_, "more than 64 brackets");
   fs::remove(folder_ / "synth/default/hand/synth.json");
   fs::create_directory(folder_ / "synth/default/hand/synth.json");
-  expect_refused(view_, "found a folder");
+  expect_refused(area_, "found a folder");
   fs::remove(folder_ / "synth/default/hand/synth.json");
   json = synth();
   json["volts"] = -1;
   plant(json.dump());
-  expect_refused(view_, "volts: found '-1', expected a number above 0");
+  expect_refused(area_, "volts: found '-1', expected a number above 0");
   json = synth();
   json["units"][0]["instances"] = 1.5;
   plant(json.dump());
-  expect_refused(view_, "found '1.5', expected an integer");
+  expect_refused(area_, "found '1.5', expected an integer");
   json = synth();
   json["volts"] = 0;
   plant(json.dump());
-  expect_refused(view_, "volts: found '0', expected a number above 0");
+  expect_refused(area_, "volts: found '0', expected a number above 0");
   expect_refused(silicon_ + "--no-energy --designs dop,nothing", "unknown design point 'nothing'");
 }
 

@@ -11,13 +11,11 @@
 namespace pipegs {
 namespace {
 
-using Json = nlohmann::json;
-
 constexpr int kWidth = 70, kHeight = 50;
 
 class Against : public Cli {
  protected:
-  const std::string views_ = " scene.ply --cameras cameras.json ", sim_ = "sim" + views_ + "--no-rtl --views all ";
+  const std::string sim_ = "sim" + view_ + "--no-rtl --views all ";
 
   void SetUp() override {
     Cli::SetUp();
@@ -48,7 +46,7 @@ class Against : public Cli {
 };
 
 TEST_F(Against, FiguresOfEachViewTheirMeanAndTheLeast) {
-  json("render" + views_ + "--views all --out drawn", "drawn/render.json");
+  json("render" + view_ + "--views all --out drawn", "drawn/render.json");
   Rgb8 one = drawn("drawn/frame_0000.png");
   for (size_t i = 0; i < one.data.size(); i += 5) one.data[i] = static_cast<uint8_t>(one.data[i] ^ 16);
   double sum = 0;
@@ -85,16 +83,16 @@ TEST_F(Against, FiguresOfEachViewTheirMeanAndTheLeast) {
   EXPECT_NE(printed.err.find("of another size than their cameras"), std::string::npos) << printed.err;
 
   // The pictures of another run, by their own names.
-  const Json again = json("render" + views_ + "--views all --against drawn --out again", "again/render.json");
+  const Json again = json("render" + view_ + "--views all --against drawn --out again", "again/render.json");
   EXPECT_EQ(again["quality"]["ssim"]["least"], 1);
   EXPECT_EQ(again["quality"]["ssim"]["frames"], 3);
   const Json truth =
-      json("render" + views_ + "--views all --model truth --against photos --out truth", "truth/render.json");
+      json("render" + view_ + "--views all --model truth --against photos --out truth", "truth/render.json");
   EXPECT_NEAR(truth["views"][0]["psnr_db"].get<double>(), psnr, 3);
 }
 
 TEST_F(Against, OneViewHasItsFiguresInTextAndReport) {
-  const std::string view = views_ + "--view 1 ";
+  const std::string view = view_ + "--view 1 ";
   ASSERT_EQ(run("render" + view + "--out drawn").code, 0);
   photograph("IMG_2.png", drawn("drawn/frame.png"));
   const Outcome outcome = run("render" + view + "--out again --against photos");
@@ -112,7 +110,7 @@ TEST_F(Against, WhatDoesNotFitIsRefusedByName) {
   };
   const auto refused = [&](const std::string& part) {
     expect_refused(sim_ + "--against photos", part);
-    expect_one_line(run("render" + views_ + "--views all --out pictures --against photos"), 2, part);
+    expect_one_line(run("render" + view_ + "--views all --out pictures --against photos"), 2, part);
   };
   refused(
       "photos: found no picture of a view, expected one named as its camera, such as 'one.png', or as ours, "
@@ -129,7 +127,7 @@ TEST_F(Against, WhatDoesNotFitIsRefusedByName) {
   fs::copy_file(folder_ / "photos/one.png", folder_ / "photos/one.PNG");
   refused("photos: found 'one.png' and 'one.PNG', expected one picture of view 'one'");
   expect_refused(sim_ + "--against photos/one.png", "--against: found a file, expected a folder");
-  expect_refused("sim" + views_ + "--no-rtl --truth", "--truth: found one frame, expected --views or --path");
+  expect_refused("sim" + view_ + "--no-rtl --truth", "--truth: found one frame, expected --views or --path");
   expect_refused(sim_ + "--against nowhere", "nowhere: ");
 }
 

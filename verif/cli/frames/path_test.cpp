@@ -11,11 +11,9 @@
 namespace pipegs {
 namespace {
 
-using Json = nlohmann::json;
-
 class PathCli : public Cli {
  protected:
-  const std::string sim_ = "sim scene.ply --cameras cameras.json ", model_ = sim_ + "--no-rtl ";
+  const std::string sim_ = "sim" + view_, model_ = sim_ + "--no-rtl ";
 
   void SetUp() override {
     Cli::SetUp();

@@ -8,19 +8,12 @@
 namespace pipegs {
 namespace {
 
-using Json = nlohmann::json;
-
 class ExploreCli : public Cli {
  protected:
-  const std::string view_ = "scene.ply --cameras cameras.json --store points ", tradeoff_ = "study tradeoff " + view_,
-                    shapes_ = "study shapes " + view_,
-                    sweep_ = "accuracy " + view_ + "--design exact --knobs alpha_w,t_w,layers --points 4 ";
+  const std::string points_ = view_ + "--store points ", tradeoff_ = "study tradeoff" + points_,
+                    shapes_ = "study shapes" + points_,
+                    sweep_ = "accuracy" + points_ + "--design exact --knobs alpha_w,t_w,layers --points 4 ";
 
-  Json json(const std::string& arguments) {
-    const Outcome outcome = run(arguments + "--json");
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
-    return Json::parse(outcome.out);
-  }
   std::vector<fs::path> stored() {
     std::vector<fs::path> paths;
     for (const auto& file : fs::directory_iterator(folder_ / "points")) paths.push_back(file.path());
@@ -114,7 +107,7 @@ TEST_F(ExploreCli, TheTargetIsAMachineThatEveryCommandTakes) {
 
 // The area model has no point of a machine like `dpc`: it says nothing of its area, clock and energy.
 TEST_F(ExploreCli, AMachineThatNoPointIsLikeHasAccuracyAndCyclesButNoArea) {
-  const std::string dpc = "accuracy " + view_ + "--design dpc --knobs alpha_w --points 2 --target 45dB ";
+  const std::string dpc = "accuracy" + points_ + "--design dpc --knobs alpha_w --points 2 --target 45dB ";
   const Json json = this->json(dpc);
   EXPECT_TRUE(json["base"]["silicon"].is_null());
   EXPECT_GT(json["base"]["cycles"], 0);

@@ -6,17 +6,9 @@
 namespace pipegs {
 namespace {
 
-using Json = nlohmann::json;
-
 class RivalsCli : public Cli {
  protected:
-  const std::string machines_ = "study rivals scene.ply --cameras cameras.json ";
-
-  Json json(const std::string& arguments) {
-    const Outcome outcome = run(arguments + "--json");
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
-    return Json::parse(outcome.out);
-  }
+  const std::string machines_ = "study rivals" + view_;
 };
 
 TEST_F(RivalsCli, MachinesStandBesideEachOther) {

@@ -12,8 +12,6 @@
 namespace pipegs {
 namespace {
 
-using Json = nlohmann::json;
-
 class TrainCli : public Cli {
  protected:
   // photos: nine photographs of a small scene as COLMAP would leave them. scene.ply, cameras.json: the scene itself.

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""wide.py FOLDER: writes what the wide comparison reads: scenes, cameras, and render.py's pictures of each.
+"""pictures.py FOLDER: writes what the test reads: scenes, cameras, and render.py's pictures of each.
 
-Four scenes, wide_DEGREE.ply with SH of that degree, every second one antialiased: the Gaussians of scene.py and two
-hundred random ones, from a hundredth of a pixel to the whole picture. Two views, wide.json: several windows with parts
-of windows at both borders, fx not fy, the principal point far off the centre. Pictures: DEGREE_VIEW.pfm and
+Four scenes, scene_DEGREE.ply with SH of that degree, every second one antialiased: the Gaussians of scene.py and two
+hundred random ones, from a hundredth of a pixel to the whole picture. Two views, cameras.json: several windows with
+parts of windows at both borders, fx not fy, the principal point far off the centre. Pictures: DEGREE_VIEW.pfm and
 DEGREE_VIEW_planes.pfm by INRIA's rules, whole_... by those of machines (render.py).
 """
 import json
@@ -27,7 +27,7 @@ def random_scene():
 
 def camera(number, size, focal, centre, position, rotation):
     return {
-        "id": number, "img_name": f"wide_{number}", "width": size[0], "height": size[1], "position": position,
+        "id": number, "img_name": f"view_{number}", "width": size[0], "height": size[1], "position": position,
         "rotation": rotation, "fy": focal[1], "fx": focal[0], "cx": centre[0], "cy": centre[1],
     }  # fmt: skip
 
@@ -39,10 +39,10 @@ if __name__ == "__main__":
         camera(0, (168, 104), (131.0, 97.5), (61.25, 66.5), list(CAMERA), level),
         camera(1, (136, 72), (88.0, 120.25), (90.5, 20.75), [3.5, -3.0, 3.25], turned(-0.6, -0.2)),
     ]
-    with open(f"{folder}/wide.json", "w", encoding="utf-8") as file:
+    with open(f"{folder}/cameras.json", "w", encoding="utf-8") as file:
         json.dump(cameras, file)
     for degree in range(4):
-        path = f"{folder}/wide_{degree}.ply"
+        path = f"{folder}/scene_{degree}.ply"
         write_ply(path, SCENE + list(random_scene()), degree, degree % 2 == 0)
         scene = Scene(path)
         for view, seen in enumerate(cameras):
