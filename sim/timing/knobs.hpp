@@ -22,5 +22,11 @@ inline int x_regions() { static const int v = knob("X_REGIONS", 1); return v; }
 inline int x_link() { static const int v = knob("X_LINK", 0); return v; }
 inline int x_splitter() { static const int v = knob("X_SPLITTER", 1); return v; }
 inline int x_bbox() { static const int v = knob("X_BBOX", 0); return v; }
+inline const char* knob_text(const char* name) { const char* v = std::getenv(name); return v != nullptr && *v != 0 ? v : nullptr; }
+inline int x_variants() { static const int v = knob("X_VARIANTS", 0); return v; }  // survivors of a window from which all its walks are traced
+inline int x_marks() { static const int v = knob("X_MARKS", 0); return v; }  // chunks between watermarks, always; 0: as in the machine
+inline int x_fire() { static const int v = knob("X_FIRE", 0); return v; }  // both halves of a region in a cycle
+inline int x_origin() { static const int v = knob("X_ORIGIN", 9); return v; }  // cycles of a chunk in dopu_origin
+inline int x_log() { static const int v = knob("X_LOG", 0); return v; }
 inline int x_oracle() { static const int v = knob("X_ORACLE", 0); return v; }
 }

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "cpp_model/areas/frame_areas.hpp"
+#include "cpp_model/dopu/nearest/dopu_depth.hpp"
 
 namespace pipegs::timing {
 
@@ -29,6 +30,8 @@ Machine::Machine(const TimingTrace& trace, const Config& config, MemoryTiming& m
     su.emplace_back(*this, k);
     pu.emplace_back(*this, k);
   }
+  walk_peak.resize(trace.walks.size() + 2), walk_done.resize(trace.walks.size() + 2, -1), walk_last.resize(trace.walks.size() + 2, -1);
+  if (config.has_watermarks()) near_step = dopu_depth_near(trace.config, trace.frame);
   constexpr Cycle kHarnessCycles = 5;  // of the harness before the restart
   for (Cycle i = 0; i < kHarnessCycles; ++i) memory.idle_step();
   for (int kind = 0; kind < kUnitEnd; ++kind) {
@@ -88,6 +91,17 @@ bool Machine::other_spills(int lane, Cycle now) const {
 
 Cycle Machine::run() {
   while (cycle()) {}
+  if (x_log() != 0) {
+    for (const Spilled& s : spills) fprintf(stderr, "spill %lld lane %d walk %zu window %zu mark %d sent %d\n", static_cast<long long>(s.at), s.lane, s.walk, trace.walks[s.walk].window, s.mark, s.sent_walk == s.walk ? s.sent : 999);
+    for (size_t i = 0; i < trace.walks.size(); ++i)
+      fprintf(stderr, "walk %zu window %zu %c%d peak %d done %d last %d end %lld\n", i, trace.walks[i].window, trace.walks[i].variant, trace.walks[i].place, walk_peak[i], walk_done[i], walk_last[i], static_cast<long long>(i < walk_ends.size() ? walk_ends[i] : -1));
+    uint64_t quads = 0;
+    for (Ru& one : ru) {
+      quads += one.live_.issued_;
+      fprintf(stderr, "ru quads/4 %llu halves %llu regions %llu blocked %llu hazards/4 %llu\n", static_cast<unsigned long long>(one.live_.issued_ / 4), static_cast<unsigned long long>(one.live_.fired_), static_cast<unsigned long long>(one.live_.picked_), static_cast<unsigned long long>(one.live_.blocked_), static_cast<unsigned long long>(one.live_.hazard_ / 4));
+    }
+    fprintf(stderr, "quads %llu per group %llu\n", static_cast<unsigned long long>(quads), static_cast<unsigned long long>(quads / 16));
+  }
   return cycles_;
 }
 
@@ -100,7 +114,7 @@ bool Machine::cycle() {
   }
   memory.step(*this, now);
   if (x_stat() != 0 && now % 8 == 0) {
-    static uint64_t n = 0, c[32];
+    static uint64_t n = 0, c[40];
     ++n;
     int rubusy = 0, vis = 0, culled_wait = 0, tiles = 0, full = 0, splits = 0, sorts = 0, inwait = 0, used = 0, outw = 0, merge_wait = 0, spill = 0, idle = 0;
     for (Ru& r : ru) rubusy += r.live_.queued_ != 0 || r.live_.halves_ != 0;
@@ -123,8 +137,15 @@ bool Machine::cycle() {
     for (Pu& p : pu) {
       c[23] += p.phases_.out.valid; c[24] += p.conic_.out.valid; c[25] += p.parts_.out.valid; c[26] += p.coeff_.out.valid; c[27] += static_cast<uint64_t>(p.walks_.count()); c[28] += p.tiles_.valid; c[29] += p.late_out_.valid; c[30] += static_cast<uint64_t>(p.queued_.count()); c[31] += p.phases_.first().holding;
     }
-    static const char* name[] = {"ru busy", "ru queue empty", "pu has visible", "culled waits", "pu out full", "su full", "splitting", "bitonic", "su in waits", "su used", "su out", "merge out", "spill", "dopu emit waits", "dopu origin", "dopu queue busy", "dopu testing", "cull busy(of 2)", "chunk reader wants", "queue crowded", "one set", "dopu item", "su sets closed", "phases out", "conic out", "parts out", "coeff out", "walks", "tiles", "late out", "queued", "project holds"};
-    if (now % (1 << 21) == 0 || x_stat() == now) { fprintf(stderr, "@%lld", static_cast<long long>(now)); for (int i = 0; i < 32; ++i) fprintf(stderr, " | %s %.2f", name[i], double(c[i]) / double(n)); fprintf(stderr, "\n"); }
+    for (Ru& r : ru) {
+      const bool none = !r.splat_valid_ && r.queue.empty() && r.live_.queued_ == 0 && r.live_.halves_ == 0;
+      for (unsigned g = 0; g < 4; ++g) c[32] += r.live_.groups_[g].count != 0;
+      c[33] += none && dispatch.waiting_ == 0 && !merge.out.valid;
+      c[34] += none && (dispatch.waiting_ != 0 || merge.out.valid);
+      c[35] += !none && r.live_.queued_ == 0;
+    }
+    static const char* name[] = {"ru busy", "ru queue empty", "pu has visible", "culled waits", "pu out full", "su full", "splitting", "bitonic", "su in waits", "su used", "su out", "merge out", "spill", "dopu emit waits", "dopu origin", "dopu queue busy", "dopu testing", "cull busy(of 2)", "chunk reader wants", "queue crowded", "one set", "dopu item", "su sets closed", "phases out", "conic out", "parts out", "coeff out", "walks", "tiles", "late out", "queued", "project holds", "groups with work(16)", "ru none, stream none", "ru none, others full", "ru something, no quads"};
+    if (now % (1 << 21) == 0 || x_stat() == now) { fprintf(stderr, "@%lld", static_cast<long long>(now)); for (int i = 0; i < 36; ++i) fprintf(stderr, " | %s %.2f", name[i], double(c[i]) / double(n)); fprintf(stderr, "\n"); }
   }
   for (int i = 0; i < Wheel::kWords; ++i) {
     uint64_t& word = wheel.word(i);

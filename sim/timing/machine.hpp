@@ -82,6 +82,12 @@ struct Machine {
   LayerFree layer_free;
   std::vector<Cycle> window_ends;  // when the end of each window left the merge
   uint64_t overflow_lines = 0;
+  struct Spilled { Cycle at; int lane; size_t walk; int mark, sent; size_t sent_walk; };
+  std::vector<Spilled> spills;
+  std::vector<int> walk_peak, walk_done, walk_last;
+  std::vector<Cycle> walk_ends;
+  int sent_bucket = 0, near_step = 0;
+  size_t sent_walk = 0;
   uint64_t peak_lines = 0, peak_records = 0;  // in one alpha store, in one SU's store
   bool every_cycle = false;                   // wake everything in every cycle: slow, and must change nothing
 

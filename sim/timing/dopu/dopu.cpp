@@ -12,7 +12,7 @@ namespace pipegs::timing {
 namespace {
 
 constexpr int kQuietCycles = 127;
-constexpr Cycle kOriginCycles = 9, kShiftCycles = 4, kPlanesCycles = 53;
+constexpr Cycle kShiftCycles = 4, kPlanesCycles = 53;
 
 }  // namespace
 
@@ -120,6 +120,7 @@ void Dopu::emit(Machine& m, DopuCycle& cycle) {
     emit_last_ = round_robin(ready, emit_last_);
     emit_valid_ = uint32_t{1} << emit_last_;
     had_chunk_ = true;
+    if (nearest_) m.sent_bucket = shifted_.chunk->bucket, m.sent_walk = sets_[shifted_.set].window, m.walk_last[m.sent_walk] = m.sent_bucket;
   } else {
     emit_chunk_.end = shifted_.end == kWindowEndBeat && nearest_ && !m.trace.walks[shifted_.node].last ? kPartEndBeat : shifted_.end;
     emit_chunk_.mark = shifted_.mark;
@@ -141,7 +142,7 @@ void Dopu::origin(DopuCycle& cycle) {
   if (multiplying_ && now >= multiplied_at_ && (!shifting_ || origin_taken_)) {
     shifting_ = true;
     shifted_ = multiplied_;
-    shifted_at_ = now + (shifted_.data() ? kShiftCycles : 1);
+    shifted_at_ = now + (shifted_.data() ? std::min<Cycle>(kShiftCycles, x_origin()) : 1);
     multiplying_ = false;
     cycle.changed = true;
   } else if (origin_taken_) {
@@ -153,7 +154,7 @@ void Dopu::origin(DopuCycle& cycle) {
   if (item == nullptr) return;
   multiplying_ = true;
   multiplied_ = *item;
-  multiplied_at_ = now + (multiplied_.data() ? kOriginCycles : 1);
+  multiplied_at_ = now + (multiplied_.data() ? x_origin() : 1);
   window_sent_ = multiplied_.end == kWindowEndBeat;
   cycle.node_taken = cycle.moved = cycle.changed = true;
 }
@@ -251,7 +252,7 @@ void Dopu::cells(const Machine& m, DopuCycle& cycle) {
 
 // --- dopu_windows ----------------------------------------------------------------------------------------------------
 
-void Dopu::windows(const Machine& m, DopuCycle& cycle) {
+void Dopu::windows(Machine& m, DopuCycle& cycle) {
   const Cycle now = cycle.now;
   // done of the next cycle; the sets as they were when this one began.
   for (size_t s = 0; s < 2; ++s) {
@@ -278,6 +279,7 @@ void Dopu::windows(const Machine& m, DopuCycle& cycle) {
       }
     }
     if (done != done_[s]) woken_ = cycle.changed = true;
+    if (done && !done_[s] && sets_[s].valid) m.walk_done[sets_[s].window] = m.sent_bucket;
     done_[s] = done;
   }
   if (planes_ == kPlanesBusy && now >= planes_at_) planes_ = kPlanesReady;

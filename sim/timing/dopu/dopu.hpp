@@ -45,7 +45,7 @@ class Dopu {
   void origin(DopuCycle& cycle);
   void port(Machine& m, DopuCycle& cycle);
   void cells(const Machine& m, DopuCycle& cycle);
-  void windows(const Machine& m, DopuCycle& cycle);
+  void windows(Machine& m, DopuCycle& cycle);
   void ask(Machine& m);
   uint64_t line(int level) const { return nearest_ ? nearest_->line(level) : descend_->line(level); }
   int lines(int level) const { return nearest_ ? nearest_->lines(level) : descend_->lines(level); }

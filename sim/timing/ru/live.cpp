@@ -44,15 +44,23 @@ void Live::step(Machine& m, Cycle now, int lane, bool job) {
   const unsigned quads = pixels_ >> 8 * half & 0xff, wanted = in_first_row(quads) | in_second_row(quads);
   unsigned full = 0;
   for (unsigned g = 0; g < kGroups; ++g) full |= unsigned{groups_[g].count >= static_cast<unsigned>(x_halves())} << g;
-  const bool fire = halves_ != 0 && (wanted & full) == 0, pixels_move = halves_ == 0 || (fire && halves_ != 3);
+  // Both halves at once: each group has room for what it wants of them.
+  unsigned tight = full;
+  for (unsigned g = 0; g < kGroups; ++g) tight |= unsigned{groups_[g].count + 2 > static_cast<unsigned>(x_halves())} << g;
+  const unsigned low = pixels_ & 0xff, high = pixels_ >> 8 & 0xff;
+  const unsigned wants_low = in_first_row(low) | in_second_row(low), wants_high = in_first_row(high) | in_second_row(high);
+  const bool both = x_fire() != 0 && halves_ == 3 && ((wants_low | wants_high) & full) == 0 && (wants_low & wants_high & tight) == 0;
+  const bool fire = halves_ != 0 && (wanted & full) == 0, pixels_move = halves_ == 0 || (fire && (halves_ != 3 || both));
   const bool rows_move = rows_ == 0 || pixels_move;
   moved_ = regions_[3] == 0 || rows_move;
   if (job) last_issue_ = now;
   for (unsigned g = 0; g < kGroups; ++g) {
     Group& group = groups_[g];
     const int quad = job || group.count == 0 ? -1 : issue(group, g);
+    if (!job && group.count != 0 && quad < 0) ++hazard_;
     group.recent = group.recent << 16 | static_cast<uint16_t>(quad);
     if (quad < 0) continue;
+    ++issued_;
     last_issue_ = now;
     if (--left_[static_cast<size_t>(quad)] == 0) {
       stops_.push(now, {now + kInside, static_cast<uint16_t>(quad)});
@@ -62,7 +70,9 @@ void Live::step(Machine& m, Cycle now, int lane, bool job) {
       shown_[0].push_back(
           {static_cast<uint8_t>(static_cast<unsigned>(lane) * kGroups + g), static_cast<uint16_t>(quad / 4)});
   }
+  if (halves_ != 0 && !fire) ++blocked_;
   if (fire) {
+    ++fired_;
     const unsigned first = in_first_row(quads), second = in_second_row(quads);
     for (unsigned rest = wanted; rest != 0; rest &= rest - 1) {
       const auto g = static_cast<unsigned>(std::countr_zero(rest));
@@ -72,7 +82,18 @@ void Live::step(Machine& m, Cycle now, int lane, bool job) {
           static_cast<uint8_t>((first >> g & 1) | (second >> g & 1) << 1)};
       ++queued_;
     }
-    halves_ &= halves_ - 1;
+    if (both) {
+      const unsigned first2 = in_first_row(high), second2 = in_second_row(high);
+      for (unsigned rest = wants_high; rest != 0; rest &= rest - 1) {
+        const auto g = static_cast<unsigned>(std::countr_zero(rest));
+        Group& group = groups_[g];
+        group.queue[(group.head + group.count++) % kHalves] = {
+            static_cast<uint8_t>(region_of(pixels_)), 1,
+            static_cast<uint8_t>((first2 >> g & 1) | (second2 >> g & 1) << 1)};
+        ++queued_;
+      }
+    }
+    halves_ = both ? 0 : halves_ & (halves_ - 1);
   }
   if (pixels_move) {
     pixels_ = rows_ == 0 ? 0 : rows_ & ~Stage{stopped_[region_of(rows_)]};

@@ -41,7 +41,7 @@ class Live {
   void step(Machine& m, Cycle now, int lane, bool job);  // a cycle; `job`: one of ru_drain takes the groups' turn
   // Behind step() of the same cycle: whether a region can be picked, and that it is, with its visible quads.
   bool moved() const { return moved_; }
-  void pick(int region, uint16_t quads) { regions_[0] = kValid | static_cast<uint32_t>(region) << 16 | quads; }
+  void pick(int region, uint16_t quads) { ++picked_, regions_[0] = kValid | static_cast<uint32_t>(region) << 16 | quads; }
 
  private:
   static constexpr unsigned kGroups = Config::ru_groups(), kHalves = 256;
@@ -80,6 +80,7 @@ class Live {
   unsigned halves_ = 0;             // of pixels_, that have not left
   bool moved_ = false;              // ru_regions' stages did, in the cycle that was played last
   std::array<Group, kGroups> groups_;
+  uint64_t issued_ = 0, fired_ = 0, picked_ = 0, blocked_ = 0, hazard_ = 0;
   unsigned queued_ = 0;                      // halves in all queues
   Cycle last_issue_ = kLongAgo;              // or job
   std::array<std::vector<Shown>, 2> shown_;  // what was issued one and two cycles ago

@@ -42,6 +42,7 @@ void Merge::step(Machine& m, Cycle now) {
     if (nearest < 0 || su.head().key < key) nearest = i, key = su.head().key;
   }
   const bool ends = nearest < 0;
+  const Beat ended = ends ? m.su[0].head().splat.beat : Beat{0};
   // A watermark has done its work.
   const bool mark = ends && m.config.has_watermarks() && m.su[0].head().splat.beat != kWindowEndBeat;
   for (int i = 0; i < m.units; ++i) {
@@ -53,6 +54,7 @@ void Merge::step(Machine& m, Cycle now) {
     }
     su.taken(m, now);
   }
+  if (ends && ended != kLayerEndBeat) m.walk_ends.push_back(now);
   m.wheel.wake(unit(kOrder), now + 1);
 }
 

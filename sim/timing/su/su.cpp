@@ -19,7 +19,7 @@ Su::Su(const Machine& m, int lane)
       lists_(m.config.has_lists()),
       pool_(static_cast<size_t>(records_)),
       next_slot_(static_cast<size_t>(records_)),
-      marks_(m.config.su_marks()),
+      marks_(x_marks() != 0 ? 1024 : m.config.su_marks()),
       table_(size_t{2} << m.config.bucket_w()),
       words_(size_t{2} << bits_high_) {
   external_.ways.resize(static_cast<size_t>(m.config.su_ways()));
@@ -208,8 +208,10 @@ void Su::collect(Machine& m, Cycle now, const Now& is) {
     }
     ++used_;
     m.peak_records = std::max(m.peak_records, static_cast<uint64_t>(used_));
+    if (x_log() != 0) m.walk_peak[walk_] = std::max(m.walk_peak[walk_], used_);
   }
   const Collect before = collect_;
+  if (is.spill_start && x_log() != 0) m.spills.push_back({now, lane_, walk_, mark_in_, m.sent_bucket, m.sent_walk});
   const bool all = is.in != nullptr && (!marks_cut_ || is.in->beat != kLayerEndBeat);
   switch (collect_) {
     case kCollect:
@@ -223,6 +225,8 @@ void Su::collect(Machine& m, Cycle now, const Now& is) {
       break;
   }
   if (is.mark_push) {
+    if (x_log() != 0 && is.in->beat == kLayerEndBeat) mark_in_ = static_cast<int>(in_.front().mark >> (config_.depth_w - config_.step_w())) - m.near_step;
+    if (all) ++walk_, mark_in_ = 0;
     const uint8_t set = set_;
     const uint32_t bucket = all ? 0 : x_part() != 0 ? in_.front().mark : static_cast<uint32_t>(su_bucket(config_, in_.front().mark, octave_));
     marks_.push(now, {is.in->beat, set, all, before == kSpill, bucket});

@@ -215,7 +215,9 @@ class Su {
   Cycle spill_turned_ = kLongAgo;  // when it began or ceased to be kSpill
   uint8_t set_ = 0;
   std::array<bool, 2> closed_{};
-  SramQueue<Mark, 128> marks_;
+  SramQueue<Mark, 1024> marks_;
+  size_t walk_ = 0;  // of what comes in
+  int mark_in_ = 0;
 
   // su_buckets
   Operation operation_ = kNone;

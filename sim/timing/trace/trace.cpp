@@ -79,6 +79,28 @@ class WindowTrace {
     return dopu_test(config_, frame_, planes_, node, step);
   }
   int bucket(const Node& node, int parent) const { return dopu_depth(config_, frame_, planes_, node, parent); }
+  // Bucket of the farthest corner of the means' box, never too near.
+  uint16_t far(const Node& node, int parent) const {
+    const Corners box = dopu_test_corners(config_, frame_, node, dopu_depth_edge(config_, frame_, parent));
+    const Plane& near = planes_[kNear];
+    const int64_t bound = near.nx * (near.nx >= 0 ? box.means_high[0] : box.means_low[0]) +
+                          near.ny * (near.ny >= 0 ? box.means_high[1] : box.means_low[1]) +
+                          near.nz * (near.nz >= 0 ? box.means_high[2] : box.means_low[2]) + dopu_depth_slack(config_);
+    const int step = dopu_depth_step(config_, bound, box.exponent - kNormalF);
+    return static_cast<uint16_t>(std::clamp(step - dopu_depth_near(config_, frame_), 0, (1 << config_.bucket_w()) - 1));
+  }
+  // Share of a box between the planes: in x times in y, each by the distances of its corners.
+  float share(const Node& node, int parent) const {
+    const Corners box = dopu_test_corners(config_, frame_, node, dopu_depth_edge(config_, frame_, parent));
+    const auto outside = [&](const Plane& p) {
+      const double most = double(p.nx * (p.nx >= 0 ? box.high[0] : box.low[0]) + p.ny * (p.ny >= 0 ? box.high[1] : box.low[1]) + p.nz * (p.nz >= 0 ? box.high[2] : box.low[2]));
+      const double least = double(p.nx * (p.nx >= 0 ? box.low[0] : box.high[0]) + p.ny * (p.ny >= 0 ? box.low[1] : box.high[1]) + p.nz * (p.nz >= 0 ? box.low[2] : box.high[2]));
+      if (least >= 0 || most <= least) return 0.0;
+      return std::min(1.0, -least / (most - least));
+    };
+    const double x = 1 - outside(planes_[kLeft]) - outside(planes_[kRight]), y = 1 - outside(planes_[kTop]) - outside(planes_[kBottom]);
+    return static_cast<float>(std::max(x, 1 / 16.0) * std::max(y, 1 / 16.0));
+  }
   bool by_part_ = false;
   uint16_t placed(const RegionSet& box, int bucket) const {  // part before depth
     if (!by_part_) return static_cast<uint16_t>(bucket);
@@ -123,22 +145,74 @@ class WindowTrace {
     }
     return sum;
   }
-  void sub(int side, int sx, int sy, int part, RegionSet rect) {
+  struct Square { int x, y; };
+  void sub(int side, int sx, int sy, int part, RegionSet rect, char variant = 'W', int place = 0, std::vector<Square> squares = {}) {
     side_ = side, sx_ = sx, sy_ = sy;
+    squares_ = squares.empty() ? std::vector<Square>{{sx, sy}} : squares;
     rect_ = rect;
     sub_ = config_;
     sub_.window = side;
     planes_ = dopu_planes(sub_, frame_, sx, sy);
+    if (variant == 'H' || variant == 'V') {
+      const Planes wide = dopu_planes(config_, frame_, x_, y_);
+      for (const PlaneSide s : {kLeft, kRight, kTop, kBottom})
+        if ((variant == 'H') == (s == kLeft || s == kRight)) planes_[s] = wide[s];
+    }
+    again_ = variant != 'W';
     part_.walk = {};
     part_.walk.first_chunk = part_.chunks.size();
     part_.walk.part = part;
     part_.walk.rect = rect;
     part_.walk.last = false;
+    part_.walk.variant = variant;
+    part_.walk.place = place;
     ranked();
     part_.walk.chunks = part_.chunks.size() - part_.walk.first_chunk;
     part_.walks.push_back(std::move(part_.walk));
   }
+  // Every walk that a rule may choose, for windows that are not small.
+  void variants() {
+    const auto width = static_cast<int>(frame_.raster.width), height = static_cast<int>(frame_.raster.height);
+    sub(config_.window, x_, y_, -1, ~RegionSet{});
+    if (config_.window != 128 || part_.slot.size() < static_cast<size_t>(x_variants())) return;
+    const auto inside = [&](int side, int x, int y) { return x * side < width && y * side < height; };
+    const auto mask = [](int p) { RegionSet r; r.mask[static_cast<size_t>(p)] = ~uint64_t{0}; return r; };
+    for (const char v : {'H', 'V'}) {
+      for (int i = 0; i < 2; ++i) {
+        const int a = v == 'H' ? 2 * i : i, b = v == 'H' ? 2 * i + 1 : i + 2;
+        RegionSet rect;
+        std::vector<Square> squares;
+        for (const int p : {a, b}) {
+          const Square q{2 * x_ + (p & 1), 2 * y_ + (p >> 1)};
+          if (!inside(64, q.x, q.y)) continue;
+          squares.push_back(q);
+          rect |= mask(p);
+        }
+        if (!squares.empty()) sub(64, squares[0].x, squares[0].y, a, rect, v, i, squares);
+      }
+    }
+    for (int p = 0; p < 4; ++p) {
+      const int px = 2 * x_ + (p & 1), py = 2 * y_ + (p >> 1);
+      if (!inside(64, px, py)) continue;
+      const size_t before = part_.slot.size();
+      sub(64, px, py, p, mask(p), 'F', p);
+      if (part_.slot.size() - before < static_cast<size_t>(x_variants())) continue;
+      for (int q = 0; q < 4; ++q) {
+        const int qx = 2 * px + (q & 1), qy = 2 * py + (q >> 1);
+        if (!inside(32, qx, qy)) continue;
+        RegionSet rect;
+        for (int y = 0; y < 4; ++y)
+          rect.mask[static_cast<size_t>(p)] |= uint64_t{0xf} << (8 * (4 * (q >> 1) + y) + 4 * (q & 1));
+        sub(32, qx, qy, p, rect, 'S', 4 * p + q);
+      }
+    }
+  }
   void plan() {
+    if (x_variants() != 0) {
+      variants();
+      for (TimingWalk& walk : part_.walks) walk.last = true;
+      return;
+    }
     const auto width = static_cast<int>(frame_.raster.width), height = static_cast<int>(frame_.raster.height);
     if (x_part() != 0) {
       by_part_ = count(planes_) > static_cast<uint64_t>(x_split());
@@ -179,13 +253,13 @@ class WindowTrace {
       const int cell_bucket = bucket(cell, 0);
       part_.walk.cells_ranked.push_back({static_cast<uint32_t>(number),
                                          static_cast<uint32_t>(part_.walk.groups_ranked.size()),
-                                         placed(~RegionSet{}, cell_bucket), ~RegionSet{}});
+                                         placed(~RegionSet{}, cell_bucket), ~RegionSet{}, far(cell, 0)});
       for (uint64_t g = cell.first; g < cell.first + cell.count; ++g) {
         const Node& group = packed_.groups[g];
         if (!passes(group, cell_bucket)) continue;
         const int group_bucket = bucket(group, cell_bucket);
         part_.walk.groups_ranked.push_back({static_cast<uint32_t>(g), static_cast<uint32_t>(part_.chunks.size()),
-                                            static_cast<uint16_t>(group_bucket), {}});
+                                            static_cast<uint16_t>(group_bucket), {}, far(group, cell_bucket), share(group, cell_bucket)});
         const size_t at = part_.chunks.size();
         chunks(group, group_bucket);
         for (size_t i = at; i < part_.chunks.size(); ++i) part_.walk.groups_ranked.back().box |= part_.chunks[i].box;
@@ -245,12 +319,23 @@ class WindowTrace {
     return result;
   }
   std::optional<GoldenConic> conic_of(const Chunk& chunk, uint64_t slot, bool* late) const {
-    Gap gap;
-    std::optional<Visible> visible =
-        pu_cull(sub_, frame_, golden_fetched(chunk, packed_.gaussians[slot], slot), nullptr, &gap);
+    std::optional<Visible> visible;
+    *late = false;
+    for (const Square& square : squares_) {
+      Chunk here = chunk;
+      here.window_x = static_cast<uint64_t>(square.x), here.window_y = static_cast<uint64_t>(square.y);
+      Gap gap;
+      std::optional<Visible> one = pu_cull(sub_, frame_, golden_fetched(here, packed_.gaussians[slot], slot), nullptr, &gap);
+      if (!one) continue;
+      if (config_.tight_cull && !pu_reach(sub_, frame_, *one, gap)) {
+        *late = true;
+        continue;
+      }
+      visible = one;
+      break;
+    }
     if (!visible) return std::nullopt;
-    *late = config_.tight_cull && !pu_reach(sub_, frame_, *visible, gap);
-    if (*late) return std::nullopt;
+    *late = false;
     visible->window_x = static_cast<uint64_t>(x_), visible->window_y = static_cast<uint64_t>(y_);
     return golden_conic(config_, frame_, *visible);
   }
@@ -261,7 +346,8 @@ class WindowTrace {
       const int own_bucket = config_.has_watermarks() ? bucket(node, group_bucket) : 0;
       const Chunk chunk = dopu_origin(config_, frame_, node, sx_, sy_);
       TimingChunk sent{static_cast<uint32_t>(i), static_cast<uint32_t>(part_.slot.size()), 0,
-                       static_cast<uint16_t>(own_bucket), {}, static_cast<uint32_t>(chunk.count)};
+                       static_cast<uint16_t>(own_bucket), {}, static_cast<uint32_t>(chunk.count),
+                       config_.has_watermarks() ? far(node, group_bucket) : uint16_t{0}};
       for (uint64_t k = 0; k < chunk.count; ++k) {
         sent.box |= ball(chunk, chunk.slot + k);
         bool dropped = false;
@@ -302,7 +388,7 @@ class WindowTrace {
           part_.boxes.push_back(pair.boxes);
           part_.part.push_back(static_cast<uint16_t>(one.part));
           trace_quads(rows_, pair.splat, part_.quads, part_.quads_first);
-          if (pair.splat.mask != 0) layers_.back().push_back(pair.splat);
+          if (pair.splat.mask != 0 && !again_) layers_.back().push_back(pair.splat);
         }
         part_.pairs.push_back(number);
         box = rectangle(box, 0);
@@ -332,6 +418,8 @@ class WindowTrace {
   const int x_, y_;
   Planes planes_;
   Config sub_ = config_;
+  bool again_ = false;
+  std::vector<Square> squares_ = {{x_, y_}};
   int side_ = 0, sx_ = x_, sy_ = y_;
   RegionSet rect_ = ~RegionSet{};
   Part part_;
@@ -428,7 +516,14 @@ TimingTrace timing_trace(const GoldenInput& input, unsigned threads) {
   trace.cells = nodes(packed.cells);
   trace.groups = nodes(packed.groups);
   trace.chunks = nodes(packed.chunks);
+  const char* cache = knob_text("X_CACHE");
+  if (cache != nullptr && load_trace(trace, cache)) {
+    run_batch(trace);
+    return trace;
+  }
   packed.config.has_lists() ? trace_lists(input, threads, trace) : trace_windows(input, threads, trace);
+  if (cache != nullptr) save_trace(trace, cache);
+  run_batch(trace);
   return trace;
 }
 

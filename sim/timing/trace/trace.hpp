@@ -35,6 +35,7 @@ struct TimingChunk {
   uint16_t bucket = 0;     // of depth, order 2
   RegionSet box;
   uint32_t gaussians = 0;
+  uint16_t far = 0;  // bucket of the farthest corner
 };
 
 // A cell or group that passes, with order 2; in the order of the table.
@@ -43,6 +44,8 @@ struct TimingParent {
   uint32_t first = 0;  // the first of its children that pass: of TimingWalk::groups_ranked, or of chunks_sent
   uint16_t bucket = 0;
   RegionSet box;
+  uint16_t far = 0;
+  float weight = 1;  // share of the projected box that lies in the walk's rectangle
 };
 
 // The DOPU's walk for a window, or with lists for the frame.
@@ -52,6 +55,8 @@ struct TimingWalk {
   RegionSet rect;
   bool last = true;  // of its window
   bool by_part = false;
+  char variant = 'W';      // W whole, H two of 128x64, V two of 64x128, F four of 64, S one of 32
+  int place = 0;           // number in its variant
   size_t first_chunk = 0, chunks = 0;                     // of TimingTrace::chunks_sent
   std::vector<uint64_t> cells, groups;                    // bits of the nodes that pass, by node; orders 0 and 1
   std::vector<TimingParent> cells_ranked, groups_ranked;  // order 2
@@ -95,6 +100,12 @@ struct TimingTrace {
 };
 
 TimingTrace timing_trace(const GoldenInput& input, unsigned threads = 0);
+// Experiment: walks of all variants to those of a plan; a file of what waits in each walk at each bucket.
+void apply_plan(TimingTrace& trace, const char* plan);
+void dump_waits(const TimingTrace& trace, const char* name);
+void save_trace(const TimingTrace& trace, const char* name);
+bool load_trace(TimingTrace& trace, const char* name);
+void run_batch(TimingTrace& trace);
 
 // `config` with every entry set back that a run may vary on one trace: units, pixels_per_row, alpha_lines, ...
 Config timing_config(Config config);

@@ -1,0 +1,7 @@
+#include "sim/timing/su/su.cpp"
+#include "sim/timing/su/su_buckets.cpp"
+#include "sim/timing/su/su_external.cpp"
+#include "sim/timing/su/su_groups.cpp"
+#include "sim/timing/su/su_sort.cpp"
+#include "sim/timing/su/su_spill.cpp"
+#include "sim/timing/memory.cpp"

@@ -1,0 +1,5 @@
+#include "sim/timing/pu/color.cpp"
+#include "sim/timing/pu/deal.cpp"
+#include "sim/timing/pu/expand.cpp"
+#include "sim/timing/pu/pu_back.cpp"
+#include "sim/timing/pu/pu_front.cpp"

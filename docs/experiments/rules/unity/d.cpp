@@ -1,0 +1,2 @@
+#include "sim/timing/trace/plan.cpp"
+#include "sim/timing/trace/batch.cpp"
