@@ -35,7 +35,7 @@ class FaultyTaps final : public RtlTaps {
  public:
   FaultyTaps(const Config& config, RtlTaps& taps, std::string_view fault, std::function<void()> before_done)
       : taps_(taps),
-        chunk_words_((record_width<Chunk>(config) + 31) / 32),
+        chunk_words_(static_cast<int>(record_words<Chunk>(config))),
         late_(fault == "cycles"),
         wrong_color_(fault == "color"),
         before_done_(std::move(before_done)) {}

@@ -7,6 +7,8 @@
 
 #include <random>
 
+#include "cpp_model/dopu/dopu.hpp"
+#include "cpp_model/dopu/nearest/dopu_nearest.hpp"
 #include "sim/compare/simulate.hpp"
 #include "sim/design/design_point.hpp"
 #include "verif/frame/scenes.hpp"
@@ -76,6 +78,7 @@ class LostLines : public testing::TestWithParam<const char*> {
   // Mismatches of a machine that blends these; `mask` changes that of the sorted splat of this number.
   uint64_t mismatches(const std::vector<Step>& steps, size_t changed = ~size_t{0}, uint64_t mask = 0) {
     StreamCheck check(simulation_.input);
+    show_chunks(check);
     std::vector<uint32_t> words(record_words<Sorted>(config()));
     const auto shown = [&](Splat splat) {
       std::fill(words.begin(), words.end(), 0);
@@ -100,6 +103,17 @@ class LostLines : public testing::TestWithParam<const char*> {
     check.finish();
     first_ = check.first() ? check.first()->what : "";
     return check.mismatches();
+  }
+  void show_chunks(StreamCheck& check) const {
+    std::vector<uint32_t> words(record_words<Chunk>(config()));
+    const auto send = [&](int, const Chunk& chunk, uint64_t) {
+      pack(config(), chunk, words.data());
+      check.on_chunk(0, kData, words.data());
+    };
+    const GoldenInput& input = simulation_.input;
+    if (config().has_watermarks()) dopu_nearest(config(), input.frame, *input.packed, 0, 0, send);
+    else dopu_window(config(), input.frame, *input.packed, 0, 0, send);
+    for (int unit = 0; unit < config().units; ++unit) check.on_chunk(unit, kWindowEnd, words.data());
   }
   void show(StreamCheck& check, const Step& step, RegionState& region) const {
     const int row = step.quad / 4, group = config().quads ? (step.quad % 4 + 4 - 2 * row % 4) % 4 : 0;
