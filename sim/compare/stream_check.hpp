@@ -55,6 +55,7 @@ class StreamCheck final : public RtlTaps {
  public:
   explicit StreamCheck(const GoldenInput& input);
 
+  bool wants_cycles() const override { return true; }  // chunks come with them
   void on_chunk(int unit, int kind, const uint32_t* chunk) override;
   void on_splat(int unit, const uint32_t* splat) override;
   void on_sorted(const uint32_t* sorted) override;
