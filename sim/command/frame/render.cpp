@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 #include <optional>
 
 #include "cpp_model/float/image.hpp"
@@ -39,7 +40,9 @@ std::optional<Rgb8> read_other(const std::string& path, const Camera& camera, co
   // Of its size before it is decoded: a few kilobytes may hold a gigabyte.
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
-  const bool read = png_image_begin_read_from_file(&png, path.c_str()) != 0;
+  std::error_code ignored;
+  const bool read =  // nobody may write into a pipe
+      std::filesystem::is_regular_file(path, ignored) && png_image_begin_read_from_file(&png, path.c_str()) != 0;
   png_image_free(&png);
   if (read && (png.width != width || png.height != height))
     throw InputError(path, "", fmt::format("found {}x{} pixels, expected {}x{}", png.width, png.height, width, height));
