@@ -35,7 +35,7 @@ constexpr std::array kFindingKinds = {
     FindingKind{"sh_degree", kNote}, FindingKind{"behind_end", kNote}, FindingKind{"gzip_missing", kNote},
     FindingKind{"gzip_around", kNote}, FindingKind{"zip_around", kNote}, FindingKind{"guessed", kWarning},
     FindingKind{"lossy_texture", kWarning}, FindingKind{"log_scales", kNote}, FindingKind{"logit_opacities", kNote},
-    FindingKind{"linear_colors", kNote},
+    FindingKind{"linear_colors", kNote}, FindingKind{"no_scene", kNote},
     // A view, a frame.
     FindingKind{"empty_view", kWarning, kTold, kShowsNothing}, FindingKind{"near_plane", kWarning},
     FindingKind{"empty_frame", kWarning}, FindingKind{"left_out", kWarning},
