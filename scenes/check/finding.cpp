@@ -45,10 +45,11 @@ constexpr std::array kFindingKinds = {
     FindingKind{"backslashes", kNote}, FindingKind{"whole_paths", kNote}, FindingKind{"ply_points", kNote},
     FindingKind{"other_ending", kNote}, FindingKind{"test_list", kNote},
     // Photographs.
-    FindingKind{"turned_photographs", kNote}, FindingKind{"resized_photographs", kNote},
-    FindingKind{"converted_photographs", kNote}, FindingKind{"deep_photographs", kNote},
-    FindingKind{"gamma_photographs", kNote}, FindingKind{"profiled_photographs", kNote},
-    FindingKind{"more_photographs", kNote}, FindingKind{"near_chosen", kNote},
+    FindingKind{"turned_photographs", kNote}, FindingKind{"unturned_photographs", kNote},
+    FindingKind{"resized_photographs", kNote}, FindingKind{"converted_photographs", kNote},
+    FindingKind{"deep_photographs", kNote}, FindingKind{"gamma_photographs", kNote},
+    FindingKind{"profiled_photographs", kNote}, FindingKind{"more_photographs", kNote},
+    FindingKind{"near_chosen", kNote},
     // What is written.
     FindingKind{"not_written", kNote}};
 

@@ -397,8 +397,9 @@ std::map<std::string, std::function<Findings()>> cases() {
 
 // Those of a frame and of photographs, and of what is written: tests frame_check, photographs and field.
 const std::set<std::string_view> kElsewhere = {
-    "empty_frame",      "left_out",          "turned_photographs",   "resized_photographs", "converted_photographs",
-    "deep_photographs", "gamma_photographs", "profiled_photographs", "near_chosen",         "not_written"};
+    "empty_frame",           "left_out",         "turned_photographs",  "resized_photographs",
+    "converted_photographs", "deep_photographs", "gamma_photographs",   "profiled_photographs",
+    "near_chosen",           "not_written",      "unturned_photographs"};
 
 TEST(Findings, EachIsFoundAndAPlainFileHasNone) {
   const Read plain = read_ply_of(trained());
