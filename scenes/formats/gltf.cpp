@@ -88,9 +88,9 @@ class Reader {
     if (format_.axes.empty()) format_.axes = spz_ ? "RUB" : "LUF";
     tell_behind(data_.behind(), format_);
     tell_unread();
-    if (draft_)
-      format_.findings.emplace_back(
-          "other_names", "attributes under names of the extension's drafts are read: _ROTATION, _SCALE, COLOR_0");
+    if (!draft_.empty())
+      format_.findings.emplace_back("other_names",
+                                    "attributes under names of the extension's drafts are read: " + draft_);
     if (linear_)
       format_.findings.emplace_back("linear_colors", "its colours are linear, and are blended here as they are");
     Scene scene = joined();
@@ -248,18 +248,20 @@ class Reader {
       return data_.accessor(attributes[name.c_str()], width);
     };
     std::string prefix = std::string(kSplats) + ":";
-    // Names of its drafts, in which COLOR_0 is a colour from 0 to 1 and the opacity.
-    const bool draft =
-        attributes.has("_SCALE") && attributes.has("COLOR_0") && !attributes.has((prefix + "SCALE").c_str());
-    draft_ = draft_ || draft;
-    if (draft) prefix = "_";
+    const auto has = [&](const std::string& name) { return attributes.has(name.c_str()); };
+    for (const std::string other : {"_", "KHR_gaussian_splatting:_"}) {
+      if (!has(prefix + "SCALE") && has(other + "SCALE")) prefix = other;
+    }
+    // In drafts COLOR_0 is a colour from 0 to 1 and the opacity.
+    const bool joined = prefix.ends_with('_') && has("COLOR_0") && !has(prefix + "OPACITY");
+    if (prefix.ends_with('_')) draft_ = fmt::format("{0}ROTATION, {0}SCALE{1}", prefix, joined ? ", COLOR_0" : "");
     const GltfAccessor position = accessor("POSITION", 3), rotation = accessor(prefix + "ROTATION", 4);
     const GltfAccessor scale = accessor(prefix + "SCALE", 3),
-                       opacity = draft ? accessor("COLOR_0", 4) : accessor(prefix + "OPACITY", 1);
-    std::vector<GltfAccessor> sh(draft ? 1 : 0, opacity);
-    int degree = draft ? 0 : -1;
+                       opacity = joined ? accessor("COLOR_0", 4) : accessor(prefix + "OPACITY", 1);
+    std::vector<GltfAccessor> sh(joined ? 1 : 0, opacity);
+    int degree = joined ? 0 : -1;
     for (int l = degree + 1; l <= kMaxShDegree; ++l) {
-      if (!attributes.has(fmt::format("{}SH_DEGREE_{}_COEF_0", prefix, l).c_str()) && l > 0) break;
+      if (!has(fmt::format("{}SH_DEGREE_{}_COEF_0", prefix, l)) && l > 0) break;
       for (int n = 0; n <= 2 * l; ++n) sh.push_back(accessor(fmt::format("{}SH_DEGREE_{}_COEF_{}", prefix, l, n), 3));
       degree = l;
     }
@@ -273,11 +275,11 @@ class Reader {
       for (int k = 0; k < 3; ++k) {
         g.mean[k] = narrow(position.value(i, k));
         g.log_scale[k] = narrow(scale.value(i, k));
-        g.sh_dc[k] = draft ? dc_of(sh[0].value(i, k)) : narrow(sh[0].value(i, k));
+        g.sh_dc[k] = joined ? dc_of(sh[0].value(i, k)) : narrow(sh[0].value(i, k));
         for (std::size_t n = 0; n < rest; ++n)
           scene.sh_rest[3 * (rest * i + n) + static_cast<std::size_t>(k)] = narrow(sh[n + 1].value(i, k));
       }
-      g.opacity_logit = narrow(opacity.value(i, draft ? 3 : 0));
+      g.opacity_logit = narrow(opacity.value(i, joined ? 3 : 0));
       for (int k = 0; k < 4; ++k) g.rotation[k] = narrow(rotation.value(i, (k + 3) % 4));  // x y z w
     }
     take_linear_scales(scene, format_);
@@ -345,7 +347,8 @@ class Reader {
   GltfData data_;
   const InputFile& file_;
   SceneFormat& format_;
-  bool spz_ = false, linear_ = false, found_ = false, draft_ = false;
+  bool spz_ = false, linear_ = false, found_ = false;
+  std::string draft_;             // names of attributes
   std::set<std::string> unread_;  // in words
   std::uint64_t memory_ = 0;
   std::map<std::uint64_t, Mesh> meshes_;  // by index

@@ -387,7 +387,7 @@ Findings PhotographFindings::all() const {
       {"converted_photographs", "of CMYK, which becomes RGB"},
       {"deep_photographs", "of 16 bits a channel, of which 8 are kept"},
       {"gamma_photographs", "with a gAMA that is not sRGB's, which is undone"},
-      {"profiled_photographs", "with a colour profile that is not sRGB's, whose codes are taken as they are"}};
+      {"profiled_photographs", "of colours that are not sRGB's, whose codes are taken as they are"}};
   Findings findings;
   for (const auto& [key, found] : found_) {
     findings.emplace_back(

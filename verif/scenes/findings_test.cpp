@@ -703,7 +703,7 @@ TEST(Findings, GltfSaysWhatIsNotRead) {
   EXPECT_TRUE(read_bytes(flags).has("not_read"));
 }
 
-// Names of the extension's drafts, which have colour and opacity in COLOR_0; nodes without a scene.
+// Names of the extension's drafts, which may have colour and opacity in COLOR_0; nodes without a scene.
 TEST(Findings, GltfOfDraftsAndLibraries) {
   std::string draft = gltf_of({0.1f, 0.2f, 0.1f}, 0.5);
   for (const auto& [from, to] : {std::pair{"KHR_gaussian_splatting:ROTATION", "_ROTATION"},
@@ -721,6 +721,12 @@ TEST(Findings, GltfOfDraftsAndLibraries) {
   EXPECT_NEAR(g.sh_dc.x, -0.5 / kShConstant, 1e-6);
   EXPECT_EQ(g.opacity_logit, 20);
   EXPECT_TRUE(read_bytes(replaced(draft, R"("kernel")", R"("quantizedPositionScale": 2, "kernel")")).has("not_read"));
+  std::string names = gltf_of({0.1f, 0.2f, 0.1f}, 0.5);
+  for (const char* name : {"ROTATION", "SCALE", "OPACITY", "SH_DEGREE_0_COEF_0"})
+    names = replaced(names, std::string("splatting:") + name, std::string("splatting:_") + name);
+  const Read named = read_bytes(names);
+  EXPECT_TRUE(named.has("other_names"));
+  EXPECT_EQ(named.scene.gaussians.at(0).opacity_logit, 0);
   const Scene library = read_bytes(gltf_without_scenes()).scene;
   ASSERT_EQ(library.gaussians.size(), 1u);
   EXPECT_EQ(library.gaussians[0].mean, glm::vec3(-2, -2, 3));  // LUF to RDF
