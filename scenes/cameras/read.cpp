@@ -22,6 +22,11 @@ namespace {
 
 constexpr double kOrthonormalTolerance = 1e-4;
 constexpr double kFarthestCamera = 1e12;  // beyond that it is no place, and its square is no number
+constexpr const char* kPolycam =
+    "found a camera of Polycam's raw data, a file each: ns-process-data polycam, of nerfstudio, makes a "
+    "transforms.json of its folder";
+constexpr const char* kRecord3d =
+    "found the metadata of Record3D: ns-process-data record3d, of nerfstudio, makes a transforms.json of its folder";
 
 std::vector<Camera> cameras_of(const JsonNode& json, const CameraReading& reading, Findings& findings) {
   if (json.is_array()) {
@@ -33,6 +38,8 @@ std::vector<Camera> cameras_of(const JsonNode& json, const CameraReading& readin
     json.fail(
         "found nerfstudio's dataparser_transforms.json, which says how its export was moved: name transforms.json, "
         "beside which it is found");
+  if (json.has("t_00")) json.fail(kPolycam);
+  if (json.has("poses") && json.has("K")) json.fail(kRecord3d);
   if (json.has("frames")) {
     const JsonNode frames = json["frames"];
     if (frames.size() == 0) frames.refuse("a list of at least one");
@@ -78,9 +85,10 @@ std::filesystem::path camera_file_of(const std::filesystem::path& folder) {
   for (const char* model : {"sparse", "cameras.bin", "cameras.txt"}) {
     if (std::filesystem::exists(folder / model, ignored)) return {};
   }
-  for (const char* name : {"cameras.json", "transforms.json"}) {
+  for (const char* name : {"cameras.json", "transforms.json", "metadata.json"}) {
     if (std::filesystem::is_regular_file(folder / name, ignored)) return folder / name;
   }
+  if (std::filesystem::exists(folder / "keyframes", ignored)) throw InputError(folder.string(), "", kPolycam);
   for (const char* name : {"transforms_train.json", "transforms_eval.json", "transforms_test.json", "camera_path.json",
                            "settings.json", "document.json"}) {
     if (std::filesystem::is_regular_file(folder / name, ignored))

@@ -151,25 +151,47 @@ void check_lens(const Frame& frame, const CameraReading& reading) {
   }
 }
 
-// Width and height of a PNG, of its first bytes: 8 of signature, 4 of length, "IHDR", then both, each 4 bytes, the high
-// one first. False when there is none at `path`.
-bool png_size(const fs::path& path, Camera& camera) {
+// Width and height of a PNG or a JPEG, of its first bytes. False when there is none at `path`.
+//   PNG   8 of signature, 4 of length, "IHDR", then both, each 4 bytes, the high one first.
+//   JPEG  ff d8, then segments: ff, kind, the length of what follows. Of kind c0 to cf but c4, c8, cc it has a byte,
+//         then height and width, each 2 bytes.
+bool picture_size(const fs::path& path, Camera& camera) {
   std::error_code ignored;
   if (!fs::is_regular_file(path, ignored)) return false;
-  std::array<char, 24> head{};
-  if (!std::ifstream(path, std::ios::binary).read(head.data(), head.size())) return false;
-  const std::string_view text(head.data(), head.size());
-  if (!text.starts_with("\x89PNG\r\n\x1a\n") || text.substr(12, 4) != "IHDR") return false;
-  const auto number = [&](std::size_t at) {
-    std::uint32_t value = 0;
-    for (std::size_t i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(text[at + i]);
+  std::ifstream file(path, std::ios::binary);
+  std::array<char, 24> bytes{};
+  const std::string_view text(bytes.data(), bytes.size());
+  const auto take = [&](std::size_t from, std::size_t to) {
+    return bool{file.read(bytes.data() + from, static_cast<std::streamsize>(to - from))};
+  };
+  const auto number = [&](std::size_t at, std::size_t count) {
+    int value = 0;
+    for (const char c : text.substr(at, count)) value = (value & 0x7fffff) << 8 | static_cast<unsigned char>(c);
     return value;
   };
-  const std::uint32_t columns = number(16), rows = number(20);
-  if (columns < 1 || columns > kMaxImageSide || rows < 1 || rows > kMaxImageSide) return false;
-  camera.width = static_cast<int>(columns);
-  camera.height = static_cast<int>(rows);
-  return true;
+  const auto sized = [&](int columns, int rows) {
+    camera.width = columns;
+    camera.height = rows;
+    return columns >= 1 && columns <= kMaxImageSide && rows >= 1 && rows <= kMaxImageSide;
+  };
+  if (!take(0, 2)) return false;
+  if (text.starts_with("\x89P"))
+    return take(2, 24) && text.starts_with("\x89PNG\r\n\x1a\n") && text.substr(12, 4) == "IHDR" &&
+           sized(number(16, 4), number(20, 4));
+  if (!text.starts_with("\xff\xd8")) return false;
+  constexpr int kMostSegments = 256;  // before the size: of a profile or an XMP may be dozens
+  for (int segment = 0; segment < kMostSegments && take(0, 2) && number(0, 1) == 0xff; ++segment) {
+    const int kind = number(1, 1);
+    if (kind == 0xff) {  // it fills up, and begins the next one
+      file.seekg(-1, std::ios::cur);
+      continue;
+    }
+    if (!take(2, 4) || number(2, 2) < 2) return false;
+    if (kind >= 0xc0 && kind <= 0xcf && kind != 0xc4 && kind != 0xc8 && kind != 0xcc)
+      return take(4, 9) && sized(number(7, 2), number(5, 2));
+    file.seekg(number(2, 2) - 2, std::ios::cur);
+  }
+  return false;
 }
 
 // Of the file, of the option, or of the picture.
@@ -182,9 +204,10 @@ void find_size(const Frame& frame, const CameraReading& reading, Camera& camera)
   if (reading.width == 0 && frame.has("file_path")) {
     std::string name = frame["file_path"].text();
     std::replace(name.begin(), name.end(), '\\', '/');  // as Windows writes it
-    fs::path picture = fs::path(frame.own().file()).parent_path() / name;
-    if (!picture.has_extension()) picture += ".png";
-    if (png_size(picture, camera)) return;
+    const fs::path picture = fs::path(frame.own().file()).parent_path() / name;
+    for (const char* ending : {"", ".png", ".jpg"}) {
+      if (picture_size(fs::path(picture) += ending, camera)) return;
+    }
   }
   take_size(frame.own(), reading, camera);
 }

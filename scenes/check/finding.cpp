@@ -35,7 +35,7 @@ constexpr std::array kFindingKinds = {
     FindingKind{"sh_degree", kNote}, FindingKind{"behind_end", kNote}, FindingKind{"gzip_missing", kNote},
     FindingKind{"gzip_around", kNote}, FindingKind{"zip_around", kNote}, FindingKind{"guessed", kWarning},
     FindingKind{"lossy_texture", kWarning}, FindingKind{"log_scales", kNote}, FindingKind{"logit_opacities", kNote},
-    FindingKind{"linear_colors", kNote},
+    FindingKind{"linear_colors", kNote}, FindingKind{"no_scene", kNote},
     // A view, a frame.
     FindingKind{"empty_view", kWarning, kTold, kShowsNothing}, FindingKind{"near_plane", kWarning},
     FindingKind{"empty_frame", kWarning}, FindingKind{"left_out", kWarning},
@@ -45,10 +45,11 @@ constexpr std::array kFindingKinds = {
     FindingKind{"backslashes", kNote}, FindingKind{"whole_paths", kNote}, FindingKind{"ply_points", kNote},
     FindingKind{"other_ending", kNote}, FindingKind{"test_list", kNote},
     // Photographs.
-    FindingKind{"turned_photographs", kNote}, FindingKind{"resized_photographs", kNote},
-    FindingKind{"converted_photographs", kNote}, FindingKind{"deep_photographs", kNote},
-    FindingKind{"gamma_photographs", kNote}, FindingKind{"profiled_photographs", kNote},
-    FindingKind{"more_photographs", kNote}, FindingKind{"near_chosen", kNote},
+    FindingKind{"turned_photographs", kNote}, FindingKind{"unturned_photographs", kNote},
+    FindingKind{"resized_photographs", kNote}, FindingKind{"converted_photographs", kNote},
+    FindingKind{"deep_photographs", kNote}, FindingKind{"gamma_photographs", kNote},
+    FindingKind{"profiled_photographs", kNote}, FindingKind{"more_photographs", kNote},
+    FindingKind{"near_chosen", kNote},
     // What is written.
     FindingKind{"not_written", kNote}};
 

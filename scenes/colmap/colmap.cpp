@@ -77,7 +77,7 @@ std::string read_file(const fs::path& path) {
   const bool comment = text && without_mark(bytes).starts_with("#");
   if (bytes.starts_with("version https://") || bytes.starts_with("<") || (text && !comment && !bytes.empty()))
     refuse_foreign(path.string(), bytes, "a file of COLMAP's model");
-  return text ? std::string(without_mark(bytes)) : bytes;
+  return bytes;
 }
 
 // Names as Windows writes them, or as paths of the computer that they come from.
@@ -151,7 +151,7 @@ std::vector<ScenePoint> read_points(const fs::path& model, fs::path& file, Findi
     return read_ply_points(file);
   }
   file = model_file(model, "points3D");
-  return parse_colmap_points(file.string(), read_file(file));
+  return parse_colmap_points(file.string(), read_file(file), &findings);
 }
 
 std::string lower(std::string text) {

@@ -75,7 +75,8 @@ std::vector<ColmapLens> parse_colmap_lenses(const std::string& file, std::string
                                             Findings* findings = nullptr);
 std::vector<ColmapPose> parse_colmap_poses(const std::string& file, std::string_view bytes,
                                            Findings* findings = nullptr);
-std::vector<ScenePoint> parse_colmap_points(const std::string& file, std::string_view bytes);
+std::vector<ScenePoint> parse_colmap_points(const std::string& file, std::string_view bytes,
+                                            Findings* findings = nullptr);
 // Cameras of lenses and poses; `file` is that of the poses.
 std::vector<Camera> colmap_cameras(const std::string& file, const std::vector<ColmapLens>& lenses,
                                    const std::vector<ColmapPose>& poses);

@@ -143,12 +143,8 @@ class ByteFields {
   ByteFields(const std::string& file, std::string_view bytes, const char* record, std::size_t least)
       : bytes_(file, bytes), record_(record), count_(bytes_.count(least, fmt::format("number of {}s", record))) {}
 
-  bool next() {
-    if (read_++ < count_) return true;
-    if (bytes_.remaining() == 0) return false;
-    throw InputError(bytes_.file(), "end",
-                     fmt::format("found {} bytes behind the last record, expected none", bytes_.remaining()));
-  }
+  bool next() { return read_++ < count_; }
+  std::size_t behind() const { return bytes_.remaining(); }
   std::string where() const { return fmt::format("{} {}", record_, read_ - 1); }
 
   template <std::integral T>
@@ -194,9 +190,16 @@ class ByteFields {
 
 // Calls parse(fields) with those of the file's form.
 template <class Parse>
-auto parsed(const std::string& file, std::string_view bytes, const char* record, std::size_t least, Parse&& parse) {
-  return file.ends_with(".txt") ? parse(LineFields(file, bytes, record, least))
-                                : parse(ByteFields(file, bytes, record, least));
+auto parsed(const std::string& file, std::string_view bytes, const char* record, std::size_t least, Findings* findings,
+            Parse&& parse) {
+  if (file.ends_with(".txt")) return parse(LineFields(file, bytes, record, least));
+  ByteFields fields(file, bytes, record, least);
+  auto records = parse(fields);
+  if (fields.behind() > 0 && findings != nullptr)
+    findings->emplace_back("behind_end",
+                           fmt::format("found {} bytes behind the last {} of {}, which are left out", fields.behind(),
+                                       record, std::filesystem::path(file).filename().string()));
+  return records;
 }
 
 // How many focal lengths and how many other parameters a model has; the principal point stands between them.
@@ -257,7 +260,7 @@ std::vector<ColmapLens> parse_colmap_lenses(const std::string& file, std::string
     for (const ColmapPose& pose : *poses) wanted.insert(pose.lens);
   }
   std::size_t unused = 0;
-  return parsed(file, bytes, "camera", 24 + 3 * 8, [&](auto fields) {
+  return parsed(file, bytes, "camera", 24 + 3 * 8, findings, [&](auto&& fields) {
     std::vector<ColmapLens> lenses;
     std::set<std::uint32_t> ids;
     while (fields.next()) {
@@ -291,7 +294,7 @@ std::vector<ColmapLens> parse_colmap_lenses(const std::string& file, std::string
 }
 
 std::vector<ColmapPose> parse_colmap_poses(const std::string& file, std::string_view bytes, Findings* findings) {
-  return parsed(file, bytes, "image", 4 + 7 * 8 + 4 + 1 + 8, [&](auto fields) {
+  return parsed(file, bytes, "image", 4 + 7 * 8 + 4 + 1 + 8, findings, [&](auto&& fields) {
     std::size_t without = 0;
     std::string first;
     std::vector<ColmapPose> poses;
@@ -315,8 +318,8 @@ std::vector<ColmapPose> parse_colmap_poses(const std::string& file, std::string_
   });
 }
 
-std::vector<ScenePoint> parse_colmap_points(const std::string& file, std::string_view bytes) {
-  return parsed(file, bytes, "point", 8 + 3 * 8 + 3 + 8 + 8, [&](auto fields) {
+std::vector<ScenePoint> parse_colmap_points(const std::string& file, std::string_view bytes, Findings* findings) {
+  return parsed(file, bytes, "point", 8 + 3 * 8 + 3 + 8 + 8, findings, [&](auto&& fields) {
     std::vector<ScenePoint> points;
     while (fields.next()) {
       fields.template integer<std::uint64_t>("point id");

@@ -66,12 +66,10 @@ class Reader {
 
   Scene read() {
     data_.check_required({kSplats, kSpzNames[0], kSpzNames[1], kSpzNames[2], "KHR_mesh_quantization"});
-    const JsonNode& json = data_.json();
-    const JsonNode scenes = json["scenes"];
-    const JsonNode roots = scenes[json.has("scene") ? json["scene"].integer(0, scenes.size() - 1) : 0]["nodes"];
+    const JsonNode nodes = data_.json()["nodes"];
     std::vector<std::pair<std::uint64_t, glm::dmat4>> open;
-    for (std::size_t i = roots.size(); i-- > 0;) open.emplace_back(roots[i].integer(0, UINT32_MAX), glm::dmat4(1.0));
-    const JsonNode nodes = json["nodes"];
+    for (const std::uint64_t root : roots(nodes)) open.emplace_back(root, glm::dmat4(1.0));
+    std::reverse(open.begin(), open.end());
     std::set<std::uint64_t> met;
     while (!open.empty()) {
       const auto [index, above] = open.back();
@@ -90,6 +88,9 @@ class Reader {
     if (format_.axes.empty()) format_.axes = spz_ ? "RUB" : "LUF";
     tell_behind(data_.behind(), format_);
     tell_unread();
+    if (!draft_.empty())
+      format_.findings.emplace_back("other_names",
+                                    "attributes under names of the extension's drafts are read: " + draft_);
     if (linear_)
       format_.findings.emplace_back("linear_colors", "its colours are linear, and are blended here as they are");
     Scene scene = joined();
@@ -106,6 +107,30 @@ class Reader {
     Mesh* mesh;
     glm::dmat4 matrix;
   };
+
+  // The nodes of the scene that is shown; of a file without scenes those that are no child.
+  std::vector<std::uint64_t> roots(const JsonNode& nodes) {
+    const auto all = [](const JsonNode& list) {
+      std::vector<std::uint64_t> numbers;
+      for (std::size_t i = 0; i < list.size(); ++i) numbers.push_back(list[i].integer(0, UINT32_MAX));
+      return numbers;
+    };
+    const JsonNode& json = data_.json();
+    if (json.has("scenes")) {
+      const JsonNode scenes = json["scenes"];
+      return all(scenes[json.has("scene") ? json["scene"].integer(0, scenes.size() - 1) : 0]["nodes"]);
+    }
+    format_.findings.emplace_back("no_scene", "the glTF has no scene, only nodes: all that are no child are read");
+    std::set<std::uint64_t> children;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      if (nodes[i].has("children"))
+        for (const std::uint64_t child : all(nodes[i]["children"])) children.insert(child);
+    }
+    std::vector<std::uint64_t> found;
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      if (!children.contains(i)) found.push_back(i);
+    return found;
+  }
 
   void place(const JsonNode& node, const glm::dmat4& matrix) {
     const std::uint64_t index = node["mesh"].integer(0, UINT32_MAX);
@@ -157,6 +182,8 @@ class Reader {
     };
     is("kernel", {"ellipse"});
     is("projection", {"perspective"});
+    constexpr const char* kDraftScale = "quantizedPositionScale";
+    if (extension.has(kDraftScale) && extension[kDraftScale].real() != 1) unread_.insert(kDraftScale);
     is("sortingMethod", {"cameraDistance"});
     is("colorSpace", {"srgb_rec709_display", "lin_rec709_display", "BT.709-sRGB", "BT.709-LINEAR"});
     if (!extension.has("colorSpace")) return;
@@ -220,13 +247,21 @@ class Reader {
     const auto accessor = [&](const std::string& name, std::uint64_t width) {
       return data_.accessor(attributes[name.c_str()], width);
     };
-    const std::string prefix = std::string(kSplats) + ":";
+    std::string prefix = std::string(kSplats) + ":";
+    const auto has = [&](const std::string& name) { return attributes.has(name.c_str()); };
+    for (const std::string other : {"_", "KHR_gaussian_splatting:_"}) {
+      if (!has(prefix + "SCALE") && has(other + "SCALE")) prefix = other;
+    }
+    // In drafts COLOR_0 is a colour from 0 to 1 and the opacity.
+    const bool joined = prefix.ends_with('_') && has("COLOR_0") && !has(prefix + "OPACITY");
+    if (prefix.ends_with('_')) draft_ = fmt::format("{0}ROTATION, {0}SCALE{1}", prefix, joined ? ", COLOR_0" : "");
     const GltfAccessor position = accessor("POSITION", 3), rotation = accessor(prefix + "ROTATION", 4);
-    const GltfAccessor scale = accessor(prefix + "SCALE", 3), opacity = accessor(prefix + "OPACITY", 1);
-    std::vector<GltfAccessor> sh;
-    int degree = -1;
-    for (int l = 0; l <= kMaxShDegree; ++l) {
-      if (!attributes.has(fmt::format("{}SH_DEGREE_{}_COEF_0", prefix, l).c_str()) && l > 0) break;
+    const GltfAccessor scale = accessor(prefix + "SCALE", 3),
+                       opacity = joined ? accessor("COLOR_0", 4) : accessor(prefix + "OPACITY", 1);
+    std::vector<GltfAccessor> sh(joined ? 1 : 0, opacity);
+    int degree = joined ? 0 : -1;
+    for (int l = degree + 1; l <= kMaxShDegree; ++l) {
+      if (!has(fmt::format("{}SH_DEGREE_{}_COEF_0", prefix, l)) && l > 0) break;
       for (int n = 0; n <= 2 * l; ++n) sh.push_back(accessor(fmt::format("{}SH_DEGREE_{}_COEF_{}", prefix, l, n), 3));
       degree = l;
     }
@@ -240,11 +275,11 @@ class Reader {
       for (int k = 0; k < 3; ++k) {
         g.mean[k] = narrow(position.value(i, k));
         g.log_scale[k] = narrow(scale.value(i, k));
-        g.sh_dc[k] = narrow(sh[0].value(i, k));
+        g.sh_dc[k] = joined ? dc_of(sh[0].value(i, k)) : narrow(sh[0].value(i, k));
         for (std::size_t n = 0; n < rest; ++n)
           scene.sh_rest[3 * (rest * i + n) + static_cast<std::size_t>(k)] = narrow(sh[n + 1].value(i, k));
       }
-      g.opacity_logit = narrow(opacity.value(i, 0));
+      g.opacity_logit = narrow(opacity.value(i, joined ? 3 : 0));
       for (int k = 0; k < 4; ++k) g.rotation[k] = narrow(rotation.value(i, (k + 3) % 4));  // x y z w
     }
     take_linear_scales(scene, format_);
@@ -313,6 +348,7 @@ class Reader {
   const InputFile& file_;
   SceneFormat& format_;
   bool spz_ = false, linear_ = false, found_ = false;
+  std::string draft_;             // names of attributes
   std::set<std::string> unread_;  // in words
   std::uint64_t memory_ = 0;
   std::map<std::uint64_t, Mesh> meshes_;  // by index

@@ -61,9 +61,9 @@ void take_colors(const PlyLayout& layout, Scene& scene, SceneFormat& format) {
   for (Gaussian& g : scene.gaussians) {
     for (int k = 0; k < 3; ++k) g.sh_dc[k] = dc_of(g.sh_dc[k] / range);
   }
-  format.findings.emplace_back("rgb_colors",
-                               fmt::format("{} up to {:g} are taken as colours of degree 0: the file has no f_dc",
-                                           fmt::join(layout.colors, ", "), range));
+  format.findings.emplace_back(
+      "rgb_colors", fmt::format("{} up to {:g} are taken as colours of degree 0: {}", fmt::join(layout.colors, ", "),
+                                range, layout.beside ? "all f_dc are 0" : "the file has no f_dc"));
 }
 
 void read_vertices(PlySource& source, const PlyHeader& header, const PlyElement& vertex, Scene& scene,
@@ -81,6 +81,8 @@ void read_vertices(PlySource& source, const PlyHeader& header, const PlyElement&
   if (!layout.rotated) row[kSlotRotation] = 1;
   std::array<double, 3> wide{};
   std::vector<glm::dvec3> positions(layout.wide ? count : 0);
+  bool zeros = layout.beside;  // in all f_dc
+  std::vector<glm::vec3> beside;
   read_rows(
       source, header.format, vertex, layout.slots, row,
       [&](std::size_t i) {
@@ -92,13 +94,16 @@ void read_vertices(PlySource& source, const PlyHeader& header, const PlyElement&
           g.sh_dc[k] = v[kSlotDc + k];
           g.log_scale[k] = v[kSlotScale + (layout.scales == 1 ? 0 : k)];
         }
+        zeros = zeros && g.sh_dc == glm::vec3(0);
+        if (zeros) beside.emplace_back(v[kSlotColor], v[kSlotColor + 1], v[kSlotColor + 2]);
         g.opacity_logit = layout.opacity_range > 0 ? logit_of(v[kSlotOpacity] / layout.opacity_range) : v[kSlotOpacity];
         for (int k = 0; k < 4; ++k) g.rotation[k] = v[kSlotRotation + k];
         if (layout.filtered) fuse(v[kSlotFilter], g);
         if (rest > 0) std::memcpy(scene.sh_rest.data() + i * rest, v + kSlotRest, rest * sizeof(float));
       },
       wide.data());
-  if (layout.color_range > 0) take_colors(layout, scene, format);
+  for (std::size_t i = 0; zeros && i < count; ++i) scene.gaussians[i].sh_dc = beside[i];
+  if (layout.color_range > 0 && zeros == layout.beside) take_colors(layout, scene, format);
   if (layout.wide) set_positions(positions, scene, format);
   if (layout.filtered)
     format.findings.emplace_back("filter_3d",

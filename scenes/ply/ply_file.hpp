@@ -35,7 +35,7 @@ class PlySource {
 
   // The next n bytes; valid until the next call. The caller has made sure that n <= remaining().
   const std::uint8_t* take(std::size_t n);
-  // The next line without its LF or CRLF; false if the file ends or `limit` bytes hold no LF.
+  // The next line without its LF or CRLF; false, and how it begins, if the file ends or `limit` bytes hold no LF.
   bool line(std::string& out, std::size_t limit);
   // The next word of this line; empty at its end. InputError for one that is longer than any number.
   std::string_view word();

@@ -71,9 +71,10 @@ class Parser {
   void next_line() {
     ++line_;
     const std::size_t limit = kMaxHeaderBytes - used_;
-    if (!source_.line(text_, limit)) {
-      fail("header", "the header does not end, expected 'end_header' within the first megabyte");
-    }
+    const bool ends = source_.line(text_, limit);
+    if (line_ == 1 && without_mark(text_).starts_with("ply\r"))
+      fail("header", "its lines end in carriage returns alone, as on old Macs, expected line feeds");
+    if (!ends) fail("header", "the header does not end, expected 'end_header' within the first megabyte");
     used_ = std::min(kMaxHeaderBytes, used_ + text_.size() + 1);
     words_.clear();
     std::istringstream stream(text_);

@@ -234,10 +234,11 @@ class Finder {
   }
 
   void take_colors() {
-    const bool coefficients = has(kSlotDc) && has(kSlotDc + 1) && has(kSlotDc + 2);
+    const int coefficients = has(kSlotDc) + has(kSlotDc + 1) + has(kSlotDc + 2);
     const bool all = std::all_of(colors_.begin(), colors_.end(), [](const auto* color) { return color != nullptr; });
-    if (coefficients) return;
-    if (!all || has(kSlotDc) || has(kSlotDc + 1) || has(kSlotDc + 2)) {
+    layout_.beside = coefficients == 3;
+    if (layout_.beside && !all) return;
+    if (!layout_.beside && (!all || coefficients > 0)) {
       for (int k = 0; k < 3; ++k)
         if (!has(kSlotDc + k)) missing(fmt::format("f_dc_{}", k));
     }
@@ -245,7 +246,8 @@ class Finder {
       const PlyProperty* color = colors_[static_cast<std::size_t>(k)];
       layout_.colors.push_back(color->name);
       if (color->type == PlyType::kFloat32 || color->type == PlyType::kFloat64) layout_.color_range = 1;
-      layout_.slots[static_cast<std::size_t>(color - vertex_.properties.data())] = kSlotDc + k;
+      layout_.slots[static_cast<std::size_t>(color - vertex_.properties.data())] =
+          (layout_.beside ? kSlotColor : kSlotDc) + k;
     }
     if (layout_.color_range == 0) layout_.color_range = colors_[0]->type == PlyType::kUint16 ? 65535 : 255;
   }

@@ -4,7 +4,8 @@
 // Idea    A Gaussian is one row of floats; each property has a place in it. Colours may be red, green, blue instead of
 //         f_dc, and then their type says their range: floats to 1, 16 bits to 65535, others to 255, unless one is
 //         much larger; so may an opacity.
-// Rule    A property that is not read is said, unless every program leaves it out (normals, colours beside f_dc).
+// Rule    A property that is not read is said, unless every program leaves it out: normals, colours beside f_dc, if
+//         these are not all 0.
 // Errors  InputError that says what the file is: a point cloud, a mesh, anchors of Scaffold-GS, or what is missing.
 #pragma once
 
@@ -24,7 +25,8 @@ enum PlySlot {
   kSlotScale = 7,
   kSlotRotation = 10,
   kSlotFilter = 14,
-  kSlotRest
+  kSlotColor = 15,  // of a file that has coefficients too
+  kSlotRest = 18
 };
 
 struct PlyLayout {
@@ -33,6 +35,7 @@ struct PlyLayout {
   int scales = 3;          // 1: a ball, 2: flat, as 2DGS is
   double color_range = 0;  // above 0: colours instead of coefficients, of which this is the largest, or the next
   std::vector<std::string> colors;  // their names
+  bool beside = false;              // they are meant only if all coefficients are 0
   double opacity_range = 0;         // above 0: opacities from 0 to this instead of logits
   bool wide = false;                // positions of more than 32 bits
   bool rotated = true;              // has a rotation

@@ -65,7 +65,10 @@ bool PlySource::line(std::string& out, std::size_t limit) {
   const std::size_t length = std::min(limit, end_ - begin_);
   const auto* start = buffer_.data() + begin_;
   const void* found = length == 0 ? nullptr : std::memchr(start, '\n', length);
-  if (found == nullptr) return false;
+  if (found == nullptr) {
+    out.assign(reinterpret_cast<const char*>(start), std::min<std::size_t>(length, 8));
+    return false;
+  }
   const auto n = static_cast<std::size_t>(static_cast<const std::uint8_t*>(found) - start);
   out.assign(reinterpret_cast<const char*>(start), n);
   if (!out.empty() && out.back() == '\r') out.pop_back();

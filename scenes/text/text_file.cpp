@@ -4,10 +4,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <system_error>
 
 #include "scenes/input_error.hpp"
+#include "scenes/text/foreign.hpp"
 
 namespace pipegs {
 namespace {
@@ -54,13 +56,13 @@ std::string read_text_file(const std::filesystem::path& path, std::string_view e
 }
 
 std::vector<std::string_view> lines_of(std::string_view text) {
+  text = without_mark(text);
   std::vector<std::string_view> lines;
   while (!text.empty()) {
-    const std::size_t end = text.find('\n');
-    std::string_view line = text.substr(0, end);
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    lines.push_back(line);
-    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+    lines.push_back(text.substr(0, end));
+    text.remove_prefix(end);
+    text.remove_prefix(text.starts_with("\r\n") ? 2 : text.empty() ? 0 : 1);
   }
   return lines;
 }

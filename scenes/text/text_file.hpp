@@ -19,7 +19,8 @@ void require_regular_file(const std::filesystem::path& path, std::string_view ex
 
 std::string read_text_file(const std::filesystem::path& path, std::string_view expected, std::uint64_t most_bytes);
 
-// The lines without their LF or CRLF; what follows the last LF is a line when there is something.
+// The lines without their LF, CRLF or CR, the first without the mark of UTF-8; what follows the last is a line when
+// there is something.
 std::vector<std::string_view> lines_of(std::string_view text);
 
 }  // namespace pipegs

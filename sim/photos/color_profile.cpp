@@ -4,6 +4,8 @@
 // Layout  ICC.1: "acsp" at 36, the number of tags at 128, then a signature, place and size of each. Big-endian.
 #include "sim/photos/color_profile.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -77,6 +79,15 @@ std::string foreign_profile(std::string_view bytes) {
     }
   }
   return {};
+}
+
+std::string foreign_codes(int primaries, int transfer) {
+  const std::string first = primaries == 1    ? "BT.709"
+                            : primaries == 9  ? "BT.2020"
+                            : primaries == 12 ? "Display P3"
+                                              : fmt::format("primaries {}", primaries);
+  if (transfer == 13) return primaries == 1 ? "" : first;
+  return first + (transfer == 16 ? ", PQ" : transfer == 18 ? ", HLG" : fmt::format(", transfer {}", transfer));
 }
 
 }  // namespace pipegs

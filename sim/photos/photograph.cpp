@@ -34,15 +34,18 @@ namespace pipegs {
 namespace {
 
 constexpr int kExif = JPEG_APP0 + 1, kIcc = JPEG_APP0 + 2;
-constexpr double kMostScale = 64;                            // of a picture's sides over its camera's
-constexpr std::int64_t kMostPixels = std::int64_t{1} << 28;  // of a picture that is larger than its camera
-constexpr double kGamma = 1 / 2.2, kGammaTolerance = 0.05;   // sRGB's as gAMA says it; libpng's own threshold
+constexpr double kMostScale = 64;                                      // of a picture's sides over its camera's
+constexpr std::int64_t kMostPixels = std::int64_t{1} << 28;            // of a picture that is larger than its camera
+constexpr double kGamma = 1 / 2.2, kGammaTolerance = 0.05;             // sRGB's as gAMA says it; libpng's own threshold
+constexpr std::array kPrimaries = {0.64, 0.33, 0.3, 0.6, 0.15, 0.06};  // its red, green and blue
+constexpr double kPrimaryTolerance = 0.01;
 
 struct Stored {
   Rgb8 picture;
   int orientation = 1;  // of EXIF
   bool inks = false, deep = false, gamma = false;
   std::string profile;  // bytes
+  std::string colors;   // without a profile the name of colours that are not sRGB's
 };
 
 struct Decoding {
@@ -76,8 +79,8 @@ void judge(j_common_ptr shared, int level) {
   if (level < 0 && (code == JWRN_JPEG_EOF || code == JWRN_HIT_MARKER || code == JWRN_HUFF_BAD_CODE)) leave(shared);
 }
 
-// The tag 0x0112 of EXIF: 1 to 8; 1, as it is stored, where there is none.
-int orientation_of(std::string_view tiff) {
+// A tag of EXIF, of its first directory or the one below it; 0 where there is none.
+std::uint32_t exif_tag(std::string_view tiff, std::uint32_t tag) {
   const bool big = tiff.starts_with("MM");
   const auto number = [&](std::size_t at, std::size_t bytes) {
     std::uint32_t value = 0;
@@ -85,15 +88,25 @@ int orientation_of(std::string_view tiff) {
       value |= static_cast<std::uint32_t>(static_cast<unsigned char>(tiff[at + k])) << 8 * (big ? bytes - 1 - k : k);
     return value;
   };
-  const std::size_t directory = number(4, 4);
-  for (std::size_t i = 0; i < number(directory, 2); ++i) {
-    const std::size_t entry = directory + 2 + 12 * i;
-    if (entry + 12 > tiff.size()) break;
-    if (number(entry, 2) != 0x0112) continue;
-    const std::uint32_t turn = number(entry + 8, 2);
-    return turn >= 1 && turn <= 8 ? static_cast<int>(turn) : 1;
+  constexpr std::uint32_t kBelow = 0x8769, kLong = 4;
+  std::size_t directory = number(4, 4), below = 0;
+  for (int level = 0; level < 2; ++level, directory = below) {
+    for (std::size_t i = 0; i < number(directory, 2); ++i) {
+      const std::size_t entry = directory + 2 + 12 * i;
+      if (entry + 12 > tiff.size()) break;
+      const std::uint32_t value = number(entry + 8, number(entry + 2, 2) == kLong ? 4 : 2);
+      if (number(entry, 2) == tag) return value;
+      if (number(entry, 2) == kBelow) below = value;
+    }
+    if (below == 0) break;
   }
-  return 1;
+  return 0;
+}
+
+void take_exif(std::string_view tiff, Stored& out) {
+  const std::uint32_t turn = exif_tag(tiff, 0x0112), space = exif_tag(tiff, 0xa001);
+  if (turn >= 1 && turn <= 8) out.orientation = static_cast<int>(turn);
+  if (space > 1) out.colors = space == 2 ? "Adobe RGB, as EXIF says" : "not sRGB, as EXIF says";
 }
 
 // What the markers say. A profile may lie in several of them, in their order.
@@ -102,7 +115,7 @@ void take_markers(const jpeg_decompress_struct& jpeg, Stored& out) {
   for (jpeg_saved_marker_ptr marker = jpeg.marker_list; marker != nullptr; marker = marker->next) {
     const std::string_view bytes(reinterpret_cast<const char*>(marker->data), marker->data_length);
     if (marker->marker == kExif && bytes.starts_with(kExifBegins) && out.orientation == 1)
-      out.orientation = orientation_of(bytes.substr(kExifBegins.size()));
+      take_exif(bytes.substr(kExifBegins.size()), out);
     const std::size_t numbers = kIccBegins.size() + 2;  // which of how many
     if (marker->marker == kIcc && bytes.starts_with(kIccBegins) && bytes.size() > numbers)
       out.profile += bytes.substr(numbers);
@@ -176,10 +189,22 @@ void take_chunks(png_structp png, png_infop info, Stored& out) {
   double gamma = kGamma;
   const bool profiled = png_get_iCCP(png, info, &name, &method, &bytes, &size) != 0;
   if (profiled) out.profile.assign(reinterpret_cast<const char*>(bytes), size);
-  const bool named = profiled || png_get_sRGB(png, info, &intent) != 0;
-  if (!named && png_get_gAMA(png, info, &gamma) != 0) out.gamma = std::abs(gamma / kGamma - 1) > kGammaTolerance;
   if (png_get_eXIf_1(png, info, &size, &bytes) != 0)
-    out.orientation = orientation_of(std::string_view(reinterpret_cast<const char*>(bytes), size));
+    take_exif(std::string_view(reinterpret_cast<const char*>(bytes), size), out);
+  const bool named = profiled || png_get_sRGB(png, info, &intent) != 0;
+  if (named) out.colors.clear();
+  if (!named && png_get_gAMA(png, info, &gamma) != 0) out.gamma = std::abs(gamma / kGamma - 1) > kGammaTolerance;
+  std::array<double, 8> xy{};  // white, red, green, blue
+  if (!named && png_get_cHRM(png, info, &xy[0], &xy[1], &xy[2], &xy[3], &xy[4], &xy[5], &xy[6], &xy[7]) != 0) {
+    for (std::size_t k = 0; k < kPrimaries.size(); ++k)
+      if (std::abs(xy[2 + k] - kPrimaries[k]) > kPrimaryTolerance) out.colors = "primaries of cHRM";
+  }
+  png_unknown_chunkp chunks = nullptr;
+  const int kept = png_get_unknown_chunks(png, info, &chunks);
+  if (kept > 0 && chunks[0].size >= 2) {  // cICP, above all others
+    out.profile.clear();
+    out.colors = foreign_codes(chunks[0].data[0], chunks[0].data[1]);
+  }
   out.deep = png_get_bit_depth(png, info) > 8;
   out.picture.width = static_cast<int>(png_get_image_width(png, info));
   out.picture.height = static_cast<int>(png_get_image_height(png, info));
@@ -196,6 +221,7 @@ bool decode_png(std::FILE* file, std::vector<png_bytep>& rows, Stored& out, Deco
   }
   png_init_io(png, file);
   png_set_alpha_mode(png, PNG_ALPHA_PNG, PNG_DEFAULT_sRGB);  // of the picture, and of the file where it does not say
+  png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_ALWAYS, reinterpret_cast<png_const_bytep>("cICP"), 1);
   png_read_info(png, info);
   take_chunks(png, info, out);
   if (!(*decoding.wanted)(out)) {
@@ -327,10 +353,11 @@ Photograph read_photograph(const std::filesystem::path& path, const Camera& came
   Photograph photograph{.picture = std::move(stored.picture),
                         .camera = camera,
                         .turned = orientation != 1,
+                        .unturned = orientation != stored.orientation,
                         .inks = stored.inks,
                         .deep = stored.deep,
                         .gamma = stored.gamma,
-                        .profile = foreign_profile(stored.profile)};
+                        .profile = stored.profile.empty() ? stored.colors : foreign_profile(stored.profile)};
   const Rgb8& picture = photograph.picture;
   if (photograph.turned) photograph.picture = turned(picture, orientation);
   photograph.resized = picture.width != camera.width || picture.height != camera.height;
@@ -344,6 +371,7 @@ void PhotographFindings::add(const std::string& name, const Photograph& photogra
     if (is && found_[key].count++ == 0) found_[key].first = name, found_[key].detail = detail;
   };
   found("turned_photographs", photograph.turned);
+  found("unturned_photographs", photograph.unturned);
   found("resized_photographs", photograph.resized);
   found("converted_photographs", photograph.inks);
   found("deep_photographs", photograph.deep);
@@ -354,11 +382,12 @@ void PhotographFindings::add(const std::string& name, const Photograph& photogra
 Findings PhotographFindings::all() const {
   static const std::map<std::string, const char*> kTexts = {
       {"turned_photographs", "stored turned, and turned as their EXIF orientation says"},
+      {"unturned_photographs", "read as stored, which fits, though their EXIF orientation turns or mirrors them"},
       {"resized_photographs", "of another size than their cameras, but of the same shape"},
       {"converted_photographs", "of CMYK, which becomes RGB"},
       {"deep_photographs", "of 16 bits a channel, of which 8 are kept"},
       {"gamma_photographs", "with a gAMA that is not sRGB's, which is undone"},
-      {"profiled_photographs", "with a colour profile that is not sRGB's, whose codes are taken as they are"}};
+      {"profiled_photographs", "of colours that are not sRGB's, whose codes are taken as they are"}};
   Findings findings;
   for (const auto& [key, found] : found_) {
     findings.emplace_back(

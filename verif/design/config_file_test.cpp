@@ -45,6 +45,9 @@ TEST_F(ConfigFile, BlanksAndCommentsDoNotCount) {
   Config expected;
   expected.alpha_w = 10, expected.units = 2;
   EXPECT_EQ(read("# all of it\n\n  alpha_w = 10   # bits\r\n\tunits=2"), expected);
+  EXPECT_EQ(read("\xef\xbb\xbf"
+                 "alpha_w=10\r# as old editors write it\runits=2\r"),
+            expected);
 }
 
 TEST_F(ConfigFile, TheFirstBadLineIsNamed) {

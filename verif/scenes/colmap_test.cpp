@@ -150,11 +150,39 @@ TEST(Colmap, AFileEndsWhereItsRecordsDo) {
   const auto each = [](const std::string& bytes, const auto& parse) {
     parse(bytes);
     for (std::size_t n = 0; n < bytes.size(); ++n) EXPECT_THROW(parse(bytes.substr(0, n)), InputError) << n;
-    EXPECT_THROW(parse(bytes + "x"), InputError);
+    parse(bytes + "x");  // with a note, if somebody reads it
   };
   each(model.cameras_bin(), [](const std::string& bytes) { parse_colmap_lenses("cameras.bin", bytes); });
   each(model.images_bin(), [](const std::string& bytes) { parse_colmap_poses("images.bin", bytes); });
   each(model.points_bin(), [](const std::string& bytes) { parse_colmap_points("points3D.bin", bytes); });
+  const ScratchFolder scratch;
+  model.write(scratch / "");
+  for (const char* name : {"cameras", "images", "points3D"})
+    std::ofstream(scratch / (std::string("sparse/0/") + name + ".bin"), std::ios::app) << "xy";
+  Findings findings;
+  expect_the_model(read_colmap(scratch / "", false, findings));
+  ASSERT_EQ(findings.size(), 3u);
+  for (const Finding& finding : findings) EXPECT_EQ(finding.kind->key, "behind_end");
+  EXPECT_NE(findings[2].what.find("2 bytes behind the last point of points3D.bin"), std::string::npos);
+}
+
+// As old Macs end them; also the list of what is held out.
+TEST(Colmap, LinesMayEndInCarriageReturns) {
+  const ColmapModel model;
+  const ScratchFolder scratch;
+  model.write(scratch / "", true);
+  for (const auto& [name, text] : {std::pair{"cameras.txt", model.cameras_txt()},
+                                   {"images.txt", model.images_txt()},
+                                   {"points3D.txt", model.points_txt()},
+                                   {"test.txt", std::string("\xef\xbb\xbf"
+                                                            "a.png\nc.png\n")}}) {
+    std::string ended = text;
+    std::replace(ended.begin(), ended.end(), '\n', '\r');
+    scratch.write(std::string("sparse/0/") + name, ended);
+  }
+  const ColmapFolder folder = read_colmap(scratch / "");
+  expect_the_model(folder);
+  EXPECT_EQ(folder.held_out, std::vector<std::string>{"a.png"});
 }
 
 }  // namespace

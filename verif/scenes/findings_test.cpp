@@ -172,6 +172,12 @@ std::string gltf_of(const std::vector<float>& scale, float opacity, const std::s
   return gltf_of_opacities({opacity}, scale, node, space);
 }
 
+// A library: nodes and no scene that has them.
+std::string gltf_without_scenes() {
+  return replaced(gltf_of({0.1f, 0.2f, 0.1f}, 0.5, R"({"children": [1], "translation": [1, 0, 0]}, {"mesh": 0})"),
+                  R"("scene": 0, "scenes": [{"nodes": [0]}], )", "");
+}
+
 Camera camera_at(const glm::dvec3& position) {
   Camera camera;
   camera.name = "a";
@@ -327,6 +333,7 @@ std::map<std::string, std::function<Findings()>> cases() {
     return cameras_of({{"a.json", R"([{"file_path": "images/1.png", "transform": [[1,0,0,0],[0,1,0,0],[0,0,1,0]]}])"},
                        {"transforms.json", std::string("{") + kFrame + "}"}});
   };
+  all["no_scene"] = [] { return read_bytes(gltf_without_scenes()).findings; };
   all["camera_folder"] = [] {
     const ScratchFolder scratch;
     scratch.write("transforms.json", std::string("{") + kFrame + "}");
@@ -390,8 +397,9 @@ std::map<std::string, std::function<Findings()>> cases() {
 
 // Those of a frame and of photographs, and of what is written: tests frame_check, photographs and field.
 const std::set<std::string_view> kElsewhere = {
-    "empty_frame",      "left_out",          "turned_photographs",   "resized_photographs", "converted_photographs",
-    "deep_photographs", "gamma_photographs", "profiled_photographs", "near_chosen",         "not_written"};
+    "empty_frame",           "left_out",         "turned_photographs",  "resized_photographs",
+    "converted_photographs", "deep_photographs", "gamma_photographs",   "profiled_photographs",
+    "near_chosen",           "not_written",      "unturned_photographs"};
 
 TEST(Findings, EachIsFoundAndAPlainFileHasNone) {
   const Read plain = read_ply_of(trained());
@@ -478,6 +486,15 @@ TEST(Findings, MendedValuesAreThoseMeant) {
         for (const Scene& scene : scenes) near(scene.gaussians[i].sh_dc[k], wanted, 1e-5);
       }
     }
+  }
+  for (const double value : {0.0, 0.3}) {  // f_dc of nothing but zeros beside colours, and others
+    std::vector<Column> columns = trained();
+    for (const char* name : {"red", "green", "blue"})
+      columns.push_back({name, "uchar", std::vector<double>(kCount, 200)});
+    change(columns, kColors, [&](double) { return value; });
+    const Read read = read_ply_of(columns);
+    EXPECT_EQ(read.has("rgb_colors"), value == 0);
+    near(read.scene.gaussians[3].sh_dc.y, value == 0 ? (200 / 255.0 - 0.5) / kShConstant : value, 1e-6);
   }
   {  // Mip-Splatting
     std::vector<Column> columns = trained();
@@ -686,6 +703,35 @@ TEST(Findings, GltfSaysWhatIsNotRead) {
   EXPECT_TRUE(read_bytes(flags).has("not_read"));
 }
 
+// Names of the extension's drafts, which may have colour and opacity in COLOR_0; nodes without a scene.
+TEST(Findings, GltfOfDraftsAndLibraries) {
+  std::string draft = gltf_of({0.1f, 0.2f, 0.1f}, 0.5);
+  for (const auto& [from, to] : {std::pair{"KHR_gaussian_splatting:ROTATION", "_ROTATION"},
+                                 {"KHR_gaussian_splatting:SCALE", "_SCALE"},
+                                 {"KHR_gaussian_splatting:OPACITY\": 3", "COLOR_0\": 1"},
+                                 {"KHR_gaussian_splatting:SH_DEGREE_0_COEF_0", "_SH_DEGREE_1_COEF_0"}})
+    draft = replaced(draft, from, to);
+  expect_one_line([&] { read_bytes(draft); }, {"_SH_DEGREE_1_COEF_1"});
+  draft = replaced(draft, "_SH_DEGREE_1_COEF_0", "_UNKNOWN");
+  const Read read = read_bytes(draft);
+  EXPECT_TRUE(read.has("other_names"));
+  EXPECT_FALSE(read.has("not_read"));
+  const Gaussian& g = read.scene.gaussians.at(0);  // its COLOR_0 is 0, 0, 0, 1
+  EXPECT_NEAR(g.log_scale.y, std::log(0.2), 1e-6);
+  EXPECT_NEAR(g.sh_dc.x, -0.5 / kShConstant, 1e-6);
+  EXPECT_EQ(g.opacity_logit, 20);
+  EXPECT_TRUE(read_bytes(replaced(draft, R"("kernel")", R"("quantizedPositionScale": 2, "kernel")")).has("not_read"));
+  std::string names = gltf_of({0.1f, 0.2f, 0.1f}, 0.5);
+  for (const char* name : {"ROTATION", "SCALE", "OPACITY", "SH_DEGREE_0_COEF_0"})
+    names = replaced(names, std::string("splatting:") + name, std::string("splatting:_") + name);
+  const Read named = read_bytes(names);
+  EXPECT_TRUE(named.has("other_names"));
+  EXPECT_EQ(named.scene.gaussians.at(0).opacity_logit, 0);
+  const Scene library = read_bytes(gltf_without_scenes()).scene;
+  ASSERT_EQ(library.gaussians.size(), 1u);
+  EXPECT_EQ(library.gaussians[0].mean, glm::vec3(-2, -2, 3));  // LUF to RDF
+}
+
 // Colours by their values where their type does not say the range, more names, whole numbers far away.
 TEST(Findings, PropertiesOfMorePrograms) {
   const Scene meant = read_ply_of(trained()).scene;
@@ -808,6 +854,14 @@ std::vector<Refusal> refusals() {
            [] { parse_colmap_lenses("cameras.txt", "1 EUCM 160 120 140 140 80 60 0.5 1\n"); }},
           {"put the transforms.json of the photographs beside it",
            camera(R"([{"file_path": "1.png", "transform": [[1,0,0,0],[0,1,0,0],[0,0,1,0]]}])")},
+          {"a camera of Polycam", camera(R"({"t_00": 1, "t_01": 0, "fx": 140, "fy": 140, "cx": 80, "cy": 60})")},
+          {"a camera of Polycam",
+           [] {
+             const ScratchFolder scratch;
+             std::filesystem::create_directories(scratch / "keyframes/corrected_cameras");
+             read_cameras(scratch / "", {});
+           }},
+          {"the metadata of Record3D", camera(R"({"w": 160, "h": 120, "K": [140, 0, 0], "poses": [[0, 0, 0, 1]]})")},
           {"name transforms.json", camera(R"({"transform": [[1,0,0,0],[0,1,0,0],[0,0,1,0]], "scale": 1})")},
           {"a folder without lod-meta.json or meta.json", [] {
              const ScratchFolder scratch;

@@ -62,6 +62,8 @@ TEST(PlyHostile, RefusesNonsenseHeaders) {
   expect_refused("PNG\n", {"line 1", "expected 'ply'"});
   expect_refused(std::string(3 << 20, 'x'), {"line 1", "does not end"});
   expect_refused("ply\nformat ascii 1.0\n" + std::string(2 << 20, '\n'), {"does not end"});
+  for (const char* body : {"1 2 3\r", "\1\2\n\3"})
+    expect_refused(std::string("ply\rformat ascii 1.0\rend_header\r") + body, {"carriage returns alone"});
   expect_refused(replaced(good, "binary_little_endian", "binary_middle_endian"), {"line 2", "binary_middle_endian"});
   expect_refused(replaced(good, "endian 1.0", "endian 2.0"), {"line 2", "2.0"});
   expect_refused(replaced(good, "format binary_little_endian 1.0\n", ""), {"format", "missing"});

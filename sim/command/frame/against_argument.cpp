@@ -67,7 +67,9 @@ void AgainstArgument::begin(const LoadedView& loaded, const std::vector<Camera>&
     View& view = views_.emplace_back(View{camera, asked_pixels(camera.width, camera.height, options),
                                           find(camera, sequence ? fmt::format("frame_{:04}", i) : "frame")});
     if (!view.file) continue;
-    found.add(view.file->string(), read(*view.file, camera));
+    Photograph photograph = read(*view.file, camera);
+    found.add(view.file->string(), photograph);
+    if (cameras.size() == 1) view.picture = std::move(photograph.picture);
     progress.update(static_cast<double>(++photographs) / static_cast<double>(cameras.size()));
   }
   if (photographs == 0)
@@ -105,7 +107,7 @@ std::optional<fs::path> AgainstArgument::find(const Camera& camera, const std::s
 std::optional<Rgb8> AgainstArgument::photograph(size_t view) const {
   if (!wanted() || !views_.at(view).file) return std::nullopt;
   const View& one = views_[view];
-  return cropped(read(*one.file, one.camera).picture, one.asked);
+  return cropped(one.picture ? *one.picture : read(*one.file, one.camera).picture, one.asked);
 }
 
 std::optional<AgainstFigures> AgainstArgument::figures(size_t view, const Rgb8& drawn) const {

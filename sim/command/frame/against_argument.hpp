@@ -45,6 +45,7 @@ class AgainstArgument {
     Camera camera;
     PixelRect asked;
     std::optional<std::filesystem::path> file;
+    std::optional<Rgb8> picture = {};  // kept where there is one view
   };
   std::vector<View> views_;
 };

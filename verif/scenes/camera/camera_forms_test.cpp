@@ -147,6 +147,17 @@ TEST(CameraForms, ASizeIsAsked) {
   expect_same(read_cameras(scratch.write("t.json", text)), three_views(), 2e-15, 4e-15);
   scratch.write("a.png", head.substr(0, 23));
   EXPECT_THROW(read_cameras(scratch / "t.json"), InputError);
+  const std::string without_ending = text.substr(0, text.find("a.png") + 1) + text.substr(text.find("a.png") + 5);
+  const std::filesystem::path path = scratch.write("u.json", without_ending);
+  std::filesystem::remove(scratch / "a.png");
+  const std::string jpeg("\xff\xd8\xff\xe1\0\6\xff\xc0xy\xff\xff\xc2\0\x11\10\0\x40\0\x60", 20);
+  scratch.write("a.jpg", jpeg);
+  EXPECT_EQ(read_cameras(path)[0].width, 96);
+  EXPECT_EQ(read_cameras(path)[0].height, 64);
+  for (std::size_t length = 0; length < jpeg.size(); ++length) {
+    scratch.write("a.jpg", jpeg.substr(0, length));
+    EXPECT_THROW(read_cameras(path), InputError) << length;
+  }
   // A file with a size is made as large as was asked, as wide an angle as before.
   const Camera half =
       parse_cameras("n.json", camera_file::nerfstudio(three_views()).dump(), {.width = 48, .height = 32})[0];

@@ -101,15 +101,16 @@ TEST(Photograph, AnotherSizeIsRefused) {
   expect_refused(scratch / "a.jpg", {"found 42x30 pixels, expected 40x30"});
 }
 
-// EXIF's orientation in a marker of its own, both byte orders.
-std::string with_orientation(const std::string& jpeg, int orientation, bool big) {
+// A tag of EXIF in a marker of its own, both byte orders; of the first directory or of the one below it.
+std::string with_exif(const std::string& jpeg, unsigned tag, unsigned value, bool big, bool below = false) {
   std::string exif("Exif\0\0", 6);
   const auto put = [&](unsigned value, int bytes) {
     for (int k = 0; k < bytes; ++k) exif += static_cast<char>(value >> 8 * (big ? bytes - 1 - k : k) & 255);
   };
   exif += big ? "MM" : "II";
-  put(42, 2), put(8, 4), put(1, 2), put(0x0112, 2), put(3, 2), put(1, 4), put(static_cast<unsigned>(orientation), 2),
-      put(0, 2), put(0, 4);
+  put(42, 2), put(8, 4);
+  if (below) put(1, 2), put(0x8769, 2), put(4, 2), put(1, 4), put(26, 4), put(0, 4);
+  put(1, 2), put(tag, 2), put(3, 2), put(1, 4), put(value, 2), put(0, 2), put(0, 4);
   const std::size_t length = exif.size() + 2;
   return jpeg.substr(0, 2) + "\xff\xe1" + static_cast<char>(length >> 8) + static_cast<char>(length & 255) + exif +
          jpeg.substr(2);
@@ -127,7 +128,7 @@ TEST(Photograph, OneThatIsStoredTurnedIsTurned) {
   const std::vector<std::array<int, 3>> corners = {{5, 2, 2}, {6, 37, 2}, {7, 37, 27}, {8, 2, 27}};
   for (const auto& [orientation, x, y] : corners) {
     for (const bool big : {false, true}) {
-      const auto path = scratch.write("turned.jpg", with_orientation(plain, orientation, big));
+      const auto path = scratch.write("turned.jpg", with_exif(plain, 0x0112, static_cast<unsigned>(orientation), big));
       const Photograph photograph = read_photograph(path, test_camera(40, 30));
       EXPECT_TRUE(photograph.turned);
       ASSERT_EQ(photograph.picture.width, 40);
@@ -137,6 +138,21 @@ TEST(Photograph, OneThatIsStoredTurnedIsTurned) {
     }
   }
   expect_refused(scratch.write("a.jpg", plain), {"found 30x40 pixels, expected 40x30", "turned by a quarter"});
+}
+
+// Orientations that leave the size as it is, and turns that the camera does not need: as stored, and said.
+TEST(Photograph, OneThatFitsAsItIsStoredStays) {
+  const ScratchFolder scratch;
+  write_jpeg(scratch / "plain.jpg", waves(40, 30));
+  for (const unsigned orientation : {1, 2, 3, 4, 6}) {
+    const auto path = scratch.write("a.jpg", with_exif(content(scratch / "plain.jpg"), 0x0112, orientation, true));
+    const Photograph photograph = read_photograph(path, test_camera(40, 30));
+    EXPECT_EQ(photograph.picture.data, read(scratch / "plain.jpg").data);
+    PhotographFindings found;
+    found.add("a.jpg", photograph);
+    ASSERT_EQ(found.all().size(), orientation == 1 ? 0u : 1u) << orientation;
+    if (orientation > 1) EXPECT_EQ(found.all()[0].kind->key, "unturned_photographs");
+  }
 }
 
 TEST(Photograph, ACameraFollowsAnotherSizeOfTheSameShape) {
@@ -157,6 +173,8 @@ struct PngKind {
   double gamma = 0;
   std::string icc = {};
   std::string exif = {};
+  std::string cicp = {};
+  bool p3 = false;  // primaries in a cHRM
 };
 
 void write_png(const std::filesystem::path& path, const Rgb8& picture, const PngKind& kind) {
@@ -175,7 +193,11 @@ void write_png(const std::filesystem::path& path, const Rgb8& picture, const Png
   std::string exif = kind.exif;
   if (!exif.empty())
     png_set_eXIf_1(png, info, static_cast<png_uint_32>(exif.size()), reinterpret_cast<png_bytep>(exif.data()));
+  if (kind.p3) png_set_cHRM(png, info, 0.3127, 0.329, 0.68, 0.32, 0.265, 0.69, 0.15, 0.06);
   png_write_info(png, info);
+  if (!kind.cicp.empty())
+    png_write_chunk(png, reinterpret_cast<png_const_bytep>("cICP"), reinterpret_cast<png_const_bytep>(kind.cicp.data()),
+                    kind.cicp.size());
   for (int y = 0; y < picture.height; ++y) {
     std::vector<png_byte> line;
     for (int i = 0; i < 3 * picture.width; ++i) {
@@ -284,6 +306,36 @@ TEST(Photograph, AnotherProfileIsNamed) {
       << found.all()[0].what;
   for (std::size_t length = 0; length < p3().size(); length += 7)  // cut: as a library may leave it
     foreign_profile(p3().substr(0, length));
+}
+
+// Where there is no profile but another word about the colours.
+TEST(Photograph, OtherColorsAreNamed) {
+  const ScratchFolder scratch;
+  const Rgb8 wanted = waves(40, 30);
+  for (const auto& [kind, name] : std::vector<std::pair<PngKind, std::string>>{
+           {{.cicp = std::string("\1\15\0\1", 4)}, ""},
+           {{.cicp = std::string("\14\15\0\1", 4)}, "Display P3"},
+           {{.cicp = std::string("\11\20\0\1", 4)}, "BT.2020, PQ"},
+           {{.cicp = std::string("\11\22\0\1", 4)}, "BT.2020, HLG"},
+           {{.cicp = std::string("\3\2\0\1", 4)}, "primaries 3, transfer 2"},
+           {{.icc = srgb(), .cicp = std::string("\14\15\0\1", 4)}, "Display P3"},
+           {{.icc = p3(), .cicp = std::string("\1\15\0\1", 4)}, ""},
+           {{.p3 = true}, "primaries of cHRM"},
+           {{.icc = srgb(), .p3 = true}, ""}}) {
+    write_png(scratch / "a.png", wanted, kind);
+    const Photograph found = read_photograph(scratch / "a.png", test_camera(40, 30));
+    EXPECT_EQ(found.profile, name);
+    EXPECT_EQ(found.picture.data, wanted.data);
+  }
+  write_jpeg(scratch / "plain.jpg", wanted);
+  const auto said = [&](unsigned value, bool below) {
+    const std::string jpeg = with_exif(content(scratch / "plain.jpg"), 0xa001, value, below, below);
+    return read_photograph(scratch.write("a.jpg", jpeg), test_camera(40, 30)).profile;
+  };
+  EXPECT_EQ(said(1, true), "");
+  EXPECT_EQ(said(2, true), "Adobe RGB, as EXIF says");
+  EXPECT_EQ(said(0xffff, true), "not sRGB, as EXIF says");
+  EXPECT_EQ(said(0xffff, false), "not sRGB, as EXIF says");
 }
 
 TEST(Photograph, APngIsTurnedAsItsExifSays) {
