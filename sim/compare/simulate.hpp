@@ -87,6 +87,9 @@ void simulate_golden(const Scene& scene, const Camera& camera, const SimulateOpt
 // terminal. Throws std::runtime_error when interrupted.
 Image simulate_float(const char* stage, const Scene& scene, const Camera& camera, const SimulateOptions& options,
                      Semantics semantics, const std::vector<uint32_t>* rank = nullptr);
+// What a screen shows of a picture: channels from 0 to 1, as psnr takes them. A 10-bit channel ends at 1, float64 does
+// not: without this the largest error of a bright pixel is how bright it is.
+Image shown(Image image);
 // Renders the three truths and the figures that compare golden with them; needs simulate_golden. Truths that `known`, a
 // simulation of the same view, holds already are copied: the same ranks give the same picture.
 void simulate_truth(const Scene& scene, const Camera& camera, const SimulateOptions& options, Simulation& result,

@@ -86,6 +86,18 @@ TEST_F(Words, EqualIsNotTheSameAsNotRun) {
   EXPECT_EQ(report["max_abs_error"], 0.0);
 }
 
+// The largest error follows the rule of the decibels beside it: a 10-bit channel ends at 1, the truth does not.
+TEST_F(Words, ABrightPixelIsNoError) {
+  Scene bright = random_scene(2, 20, 0);
+  for (Gaussian& g : bright.gaussians) g.sh_dc = glm::vec3(4), g.opacity_logit = 4;
+  write_ply(folder_ / "bright.ply", bright);
+  const Outcome outcome = run("sim bright.ply --cameras cameras.json --no-rtl");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Json report = Json::parse(text("out/report.json"));
+  EXPECT_GT(report["max_abs_error"], 0.0);
+  EXPECT_LT(report["max_abs_error"], 0.02);
+}
+
 TEST_F(Words, OtherCommandsSayAsLittle) {
   EXPECT_TRUE(json("explain" + view_ + "--pixel 1,1 --no-rtl").at("mismatches").is_null());
   EXPECT_EQ(json("explain" + view_ + "--pixel 1,1").at("mismatches"), 0);

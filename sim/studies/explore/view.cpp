@@ -22,7 +22,8 @@ namespace {
 constexpr size_t kOrders = 4;  // truths in an order: some 40 MB each
 
 ErrorFigures errors(const Image& a, const Image& b) {
-  return {psnr(a, b), ssim(a, b), max_abs_error(a, b), percentile_abs_error(a, b, 0.999)};
+  const Image shown_a = shown(a), shown_b = shown(b);
+  return {psnr(a, b), ssim(a, b), max_abs_error(shown_a, shown_b), percentile_abs_error(shown_a, shown_b, 0.999)};
 }
 
 void stop_when_interrupted(double) {
