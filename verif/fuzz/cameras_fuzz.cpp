@@ -36,7 +36,7 @@ std::vector<Camera> cameras_of(std::string_view bytes) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
-    Kept<1> kept;
+    Kept<16> kept;
     for (const Camera& camera : cameras_of({reinterpret_cast<const char*>(data), size})) {
       const bool sized = camera.width >= 1 && camera.width <= kMaxImageSide && camera.height >= 1;
       const bool turned = std::abs(glm::determinant(camera.world_to_camera) - 1) < 1e-9;

@@ -3,12 +3,15 @@
 # planted.sh: planted.sh FOLDER TARGET: the fuzzer finds the overflow of keep.hpp in planted_TARGET within a minute of
 # CPU time, which does not depend on what else the machine does; three times, each with other random numbers.
 #
-# It begins with the corpus, none of which shows the overflow: that is checked first.
+# It begins with the corpus, none of which shows the overflow: that is checked first. Large documents (many_*) are left
+# out: no room holds what they name.
 set -uo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
-target=$2 program=$1/planted_$2 seeds=$here/corpus/$2
+target=$2 program=$1/planted_$2
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+seeds=$work/seeds
+cp -r "$here/corpus/$target" "$seeds" && rm -f "$seeds"/many_*
 if ! "$program" "$seeds"/* > "$work/log" 2>&1; then
   cat "$work/log"
   echo "$target: the corpus itself shows the overflow"

@@ -37,7 +37,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     check_consistent(scene);
     if (format.name.empty() || scene.gaussians.size() > 100 * (size + whole.size()) + (std::size_t{1} << 16))
       std::abort();
-    Kept<8> kept;
+    Kept<18> kept;  // two Gaussians, drawn or not
     for (std::size_t i = 0; i < scene.gaussians.size(); ++i) {
       ActivatedGaussian activated;
       kept.add(activate(scene, i, activated) == Cull::kNone ? "drawn" : "not drawn");
