@@ -40,6 +40,10 @@ def measure_all(arguments, build):
     """The names of those that failed. Class c comes first: models read what it leaves in synth/data."""
     entries, classes = stored(), arguments.classes.split(",")
     table = [one for one in chosen(arguments.page) if fnmatch.fnmatch(one.name, arguments.only) and one.kind in classes]
+    if not table:
+        raise markers.PageError(
+            f"--only {arguments.only}: no measurement of the classes {arguments.classes} is so named"
+        )
     found, failed = planned(table, entries, arguments.all), []
     prepare(found, build)
     try:
