@@ -8,7 +8,8 @@
 //         is still closed, or being opened, can hide a nearer one. When the queue is full a node is not queued but sent
 //         or opened at once: right too, only out of order. Scanning cells, opening cells, opening groups and sending
 //         each go on to the next window when they are through with one, so two windows overlap. What belongs to a done
-//         window is dropped wherever it stands.
+//         window is dropped wherever it stands. Of a window that is counted first (set_counts_i) cells are opened, and
+//         the groups that pass are shown and go no further.
 // Stream  cell in (layer ends are ignored); chunk out: chunks, layer ends with a watermark, the window's end.
 // Pace    Two tests in three cycles; a node that passes costs the queue five.
 // Model   cpp_model/dopu/nearest/dopu_nearest.hpp
@@ -29,6 +30,7 @@ module dopu_nearest #(
   input  pipegs_pkg::span_t                     chunks_i,
   input  logic [2*5*pipegs_pkg::PlaneBits-1:0]  planes_i,
   input  logic [1:0]                            set_done_i,
+  input  logic [1:0]                            set_counts_i,
 
   input  logic                                  cell_valid_i,
   output logic                                  cell_ready_o,
@@ -49,6 +51,10 @@ module dopu_nearest #(
   output logic                                  chunk_set_o,
   output pipegs_pkg::node_t                     chunk_o,
   output logic [pipegs_pkg::DepthW-1:0]         mark_o,        // a layer end's watermark
+
+  output logic                                  group_valid_o,   // counted: a group that passes, ...
+  output logic [pipegs_pkg::CountW-1:0]         group_chunks_o,  // ... its chunks
+  output logic                                  counted_o,       // all groups were shown
 
   output logic [1:0]                            bad_o,         // a cell, a group: see pipegs_line_reader
   output logic [2*pipegs_pkg::AddressW-1:0]     bad_line_o,
@@ -82,8 +88,10 @@ module dopu_nearest #(
   logic [Levels-1:0] set_q, through, working, level_done;  // the set at work; through: nothing of it is left here
   logic [1:0]        complete_q [Levels];                  // the levels that are through with a set
   logic              cells_in_q;                           // all cells of the window scanned have come
+  logic [1:0]        counts;                               // levels 0 and 1: their set is counted only
   logic              cell_here, send_set, window_end;
 
+  assign counts    = {set_counts_i[set_q[1]], set_counts_i[set_q[0]]};
   assign cell_here = cell_valid_i && cell_set_i == set_q[0] && !cells_in_q && working[0];
 
   always_comb begin
@@ -107,6 +115,13 @@ module dopu_nearest #(
           complete_q[l][set_q[l]] <= 1'b1;
           set_q[l] <= !set_q[l];
         end
+      end
+      // A set that is counted stays: its cells come once more.
+      if (through[0] && counts[0]) set_q[0] <= set_q[0];
+      if (counted_o) begin
+        set_q[1] <= set_q[1];
+        complete_q[0][set_q[1]] <= 1'b0;
+        complete_q[1][set_q[1]] <= 1'b0;
       end
     end
   end
@@ -154,7 +169,7 @@ module dopu_nearest #(
     end
   end
 
-  logic               result_valid, result_pass, result_last, result_kept;
+  logic               result_valid, result_pass, result_last, result_kept, passes;  // passes: and is not only counted
   logic [1:0]         result_level;
   logic [BucketW-1:0] result_bucket;
   logic [PlaceW-1:0]  result_place;
@@ -183,7 +198,11 @@ module dopu_nearest #(
     .result_place_o(result_place),
     .result_range_o(result_range)
   );
-  assign result_kept = result_pass || result_last;
+  assign group_valid_o  = result_valid && result_pass && result_level == 2'd1 && counts[1];
+  assign group_chunks_o = result_range[SlotW +: CountW];
+  assign counted_o      = through[1] && counts[1];
+  assign passes         = result_pass && !group_valid_o;
+  assign result_kept    = passes || result_last;
 
   // --- results: one queue per level, so that no level waits for one above it ----------------------------------------
   logic [Levels-1:0]  held_valid, held_pass, held_last, live, queue_ready, push;
@@ -212,7 +231,7 @@ module dopu_nearest #(
         .rst_ni,
         .in_valid_i(push[l]),
         .in_ready_o(queue_ready[l]),
-        .in_i({result_last, result_pass, result_bucket, result_data}),
+        .in_i({result_last, passes, result_bucket, result_data}),
         .out_valid_o(held_valid[l]),
         .out_ready_i(retired[l]),
         .out_o({held_last[l], held_pass[l], bucket, held_data}),

@@ -3,6 +3,7 @@
 #include "sim/timing/dopu/dopu.hpp"
 
 #include <algorithm>
+#include <bit>
 
 #include "cpp_model/dopu/dopu_axis.hpp"
 #include "cpp_model/dopu/dopu_layer.hpp"
@@ -21,6 +22,7 @@ Dopu::Dopu(const Machine& m)
       grid_(m.config.grid),
       axis_(dopu_axis(m.frame)),
       walks_(m.trace.walks.size()),
+      counts_(m.frame.walk_most != 0),
       most_asked_(m.config.node_lines() / 2),
       asked_(most_asked_),
       table_line_(m.frame.tables.cells) {
@@ -74,7 +76,7 @@ void Dopu::step(Machine& m, Cycle now) {
   cycle.phase = static_cast<int>((now - frozen_) % 3);
   cycle.cell = item_valid_ && item_shown_ ? &item_ : nullptr;
   emit(m, cycle);
-  origin(cycle);
+  origin(m, cycle);
   port(m, cycle);
   nearest_ ? nearest_->step(cycle, sets_) : descend_->step(cycle, sets_);
   cells(m, cycle);
@@ -135,7 +137,7 @@ void Dopu::emit(Machine& m, DopuCycle& cycle) {
 
 // --- dopu_origin -----------------------------------------------------------------------------------------------------
 
-void Dopu::origin(DopuCycle& cycle) {
+void Dopu::origin(const Machine& m, DopuCycle& cycle) {
   const Cycle now = cycle.now;
   const bool was_multiplying = multiplying_;
   if (multiplying_ && now >= multiplied_at_ && (!shifting_ || origin_taken_)) {
@@ -155,6 +157,7 @@ void Dopu::origin(DopuCycle& cycle) {
   multiplied_ = *item;
   multiplied_at_ = now + (multiplied_.data() ? kOriginCycles : 1);
   window_sent_ = multiplied_.end == kWindowEndBeat;
+  if (window_sent_ && !m.trace.walks[sets_[multiplied_.set].walk].ends) multiplied_.end = kPartEndBeat;
   cycle.node_taken = cycle.moved = cycle.changed = true;
 }
 
@@ -234,7 +237,7 @@ void Dopu::cells(const Machine& m, DopuCycle& cycle) {
   }
   if (finished) {
     window_walked_ = true;
-    if (set.last) walking_ = false;
+    if (set.last && !set.counts) walking_ = false;
     walk_step_ = walk_layer_ = walk_number_ = 0;
     end_next_ = false;
   } else if (!inside) {
@@ -251,34 +254,58 @@ void Dopu::cells(const Machine& m, DopuCycle& cycle) {
 
 // --- dopu_windows ----------------------------------------------------------------------------------------------------
 
+bool Dopu::all_done(const Machine& m, size_t number) const {
+  const TimingWalk& walk = m.trace.walks[number];
+  RegionSet done;
+  for (const Ru& ru : m.ru) {
+    if (ru.window() == walk.window) done |= ru.done();
+  }
+  for (uint64_t part = 0; part < static_cast<uint64_t>(m.config.parts()); ++part) {
+    if (walk_has(m.config, walk.walk, part) && std::popcount(done.mask[part]) != m.config.mask_w()) return false;
+  }
+  return true;
+}
+
+// The set has the planes of the next walk.
+void Dopu::filled(DopuSet& set) {
+  set.last = ++next_walk_ == walks_;
+  fill_ ^= 1;
+}
+
 void Dopu::windows(const Machine& m, DopuCycle& cycle) {
   const Cycle now = cycle.now;
   // done of the next cycle; the sets as they were when this one began.
   for (size_t s = 0; s < 2; ++s) {
-    bool done = sets_[s].valid && !m.config.has_lists();
-    for (const Ru& ru : m.ru) done = done && ru.window() == sets_[s].window && ru.all_done();
+    const bool done = sets_[s].valid && !sets_[s].counts && !m.config.has_lists() && all_done(m, sets_[s].walk);
     if (done != done_[s]) woken_ = cycle.changed = true;
     done_[s] = done;
   }
   if (planes_ == kPlanesBusy && now >= planes_at_) planes_ = kPlanesReady;
   if (planes_ == kPlanesReady && !sets_[fill_].valid) {
     DopuSet& set = sets_[fill_];
+    const TimingWalk& walk = m.trace.walks[next_walk_];
     set.valid = set.fresh = true;
-    set.window = next_window_;
-    set.chunk = m.trace.walks[next_window_].first_chunk;
-    set.last = ++next_window_ == walks_;
-    fill_ ^= 1;
+    set.walk = next_walk_;
+    set.chunk = walk.first_chunk;
+    set.counts = counts_ && walk.walk == kWholeWalk;
+    if (!set.counts) filled(set);
     planes_ = kPlanesIdle;
     planes_at_ = now + 1;
     cycle.changed = true;
-  } else if (planes_ == kPlanesIdle && now >= planes_at_ && next_window_ < walks_) {
+  } else if (planes_ == kPlanesIdle && now >= planes_at_ && next_walk_ < walks_ && !sets_[fill_].counts) {
     planes_ = kPlanesBusy;
     planes_at_ = now + kPlanesCycles;
   }
   if (window_walked_) {
     sets_[walk_set_].fresh = false;
-    walk_set_ ^= 1;
+    walk_set_ ^= sets_[walk_set_].counts ? 0 : 1;
     cycle.changed = true;
+  }
+  if (cycle.counted) {
+    DopuSet& set = sets_[fill_];
+    set.counts = false;
+    set.valid = set.fresh = m.trace.walks[next_walk_].walked;
+    set.valid ? filled(set) : static_cast<void>(++next_walk_);
   }
   if (window_sent_) {
     sets_[oldest_].valid = false;

@@ -20,11 +20,12 @@ struct DopuItem {
   bool data() const { return !is_end(end); }
 };
 
-// A set of planes: a window that is walked.
+// A set of planes: a walk.
 struct DopuSet {
   bool valid = false, fresh = false, last = false, done = false;
-  size_t window = 0;
-  size_t chunk = 0;  // of the window's chunks that pass, the next one to enter the test (orders 0 and 1)
+  bool counts = false;  // it is walked only to be counted
+  size_t walk = 0;      // of TimingTrace::walks
+  size_t chunk = 0;     // of its chunks that pass, the next one to enter the test (orders 0 and 1)
 };
 
 using DopuSets = std::array<DopuSet, 2>;
@@ -37,6 +38,7 @@ struct DopuCycle {
   const DopuItem* cell = nullptr;   // that the walk of the cells shows
   bool cell_taken = false;
   bool node_taken = false;  // dopu_origin takes what is shown
+  bool counted = false;     // all groups of the set that is counted have come
   bool moved = false;       // as the unit's clock counts it: it runs on
   bool changed = false;     // a register changed: the next cycle must be played
   Cycle next = kNever;      // what comes by itself

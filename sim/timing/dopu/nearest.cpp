@@ -56,10 +56,16 @@ void Nearest::step(DopuCycle& cycle, DopuSets& sets) {
   for (size_t l = 0; l < kLevels; ++l) {
     if (is.end_due) complete_[l][static_cast<size_t>(sent)] = false;
     if (!is.through[l]) continue;
-    complete_[l][static_cast<size_t>(set_[l])] = true;
-    set_[l] ^= 1;
     if (l == 0) cells_in_ = false;
     cycle.changed = true;
+    const auto set = static_cast<size_t>(set_[l]);
+    complete_[l][set] = true;
+    if (!sets[set].counts) {
+      set_[l] ^= 1;
+    } else if (l == 1) {
+      complete_[0][set] = complete_[1][set] = false;
+      cycle.counted = true;
+    }
   }
   if (!in_test_.empty()) cycle.at(in_test_.front().due);
   cycle.at(queue_->next(now));
@@ -141,7 +147,7 @@ Nearest::Said Nearest::look(const DopuCycle& cycle, const DopuSets& sets) {
 // --- nodes to test: upper levels first -------------------------------------------------------------------------------
 
 Nearest::Result Nearest::child(int level, uint32_t node, bool last, const DopuSets& sets) {
-  const TimingWalk& walk = trace_.walks[sets[static_cast<size_t>(set_[static_cast<size_t>(level)])].window];
+  const TimingWalk& walk = trace_.walks[sets[static_cast<size_t>(set_[static_cast<size_t>(level)])].walk];
   Result result{last, false, {}};
   if (level == 0) {
     const auto at = std::lower_bound(walk.cells_ranked.begin(), walk.cells_ranked.end(), node,
@@ -152,7 +158,8 @@ Nearest::Result Nearest::child(int level, uint32_t node, bool last, const DopuSe
   uint32_t& cursor = open_[static_cast<size_t>(level - 1)].cursor;
   if (level == 1) {
     while (cursor < walk.groups_ranked.size() && walk.groups_ranked[cursor].node < node) ++cursor;
-    if (cursor == walk.groups_ranked.size() || walk.groups_ranked[cursor].node != node) return result;
+    const bool counts = sets[static_cast<size_t>(set_[1])].counts;  // then none goes further
+    if (counts || cursor == walk.groups_ranked.size() || walk.groups_ranked[cursor].node != node) return result;
     return {last, true, {walk.groups_ranked[cursor].bucket, cursor}};
   }
   while (cursor < walk.first_chunk + walk.chunks && trace_.chunks_sent[cursor].chunk < node) ++cursor;
@@ -238,7 +245,7 @@ void Nearest::open(DopuCycle& cycle, const DopuSets& sets, const Said& is) {
     if (take) {
       const int set = popped ? queue_->list() & 1 : set_[child_level];
       const NearestNode node = popped ? queue_->node() : held_[static_cast<size_t>(l)].front().node;
-      const TimingWalk& walk = trace_.walks[sets[static_cast<size_t>(set)].window];
+      const TimingWalk& walk = trace_.walks[sets[static_cast<size_t>(set)].walk];
       const TimingParent& parent = l == 0 ? walk.cells_ranked[node.number] : walk.groups_ranked[node.number];
       const TimingNode& range = (l == 0 ? trace_.cells : trace_.groups)[parent.node];
       open.job = {true, range.first, range.count, {parent.first}};
