@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "cpp_model/dopu/walk.hpp"
 #include "cpp_model/fixed.hpp"
 #include "cpp_model/float/projection.hpp"
 #include "cpp_model/frame_setup.hpp"
