@@ -2,9 +2,9 @@
 // dopu_walks: the walks of a window, in their order.
 //
 // Paper   None: the paper's windows have one.        RTL  rtl/dopu/dopu_windows.sv
-// Idea    The whole window, or, where dopu_load finds too much in it, each part with a pixel of the picture, row by row.
-//         Each walk is nearest first by itself and ends by itself. Parts share no pixel, so what is blended in a pixel
-//         is the same, in the same order.
+// Idea    The whole window, or, where dopu_load finds too much in it, each part with a pixel of the picture, row by
+//         row. Each walk is nearest first by itself and ends by itself. Parts share no pixel, so what is blended in a
+//         pixel is the same, in the same order.
 #pragma once
 
 #include <vector>

@@ -152,7 +152,7 @@ module dopu_windows (
   // --- the walks of a window: whole, or its parts with a pixel of the picture, row by row ----------------------------
   if (pipegs_pkg::HasWalks) begin : gen_walks
     localparam int unsigned HalfF  = $clog2(pipegs_pkg::Window) - 1;
-    localparam int unsigned PixelW = WindowW + HalfF + 2;
+    localparam int unsigned PixelW = WindowW + pipegs_pkg::SizeW;
     logic       parts_q;         // the present window goes by parts
     logic [1:0] part_q;          // the next one of them
     logic       right_in, lower_in;  // the right column, the lower row have pixels

@@ -3,9 +3,9 @@
 //
 // Paper   Sec. 3.2, Sec. 4.1, Fig. 7.
 // Idea    dopu_axis and dopu_layer find the order of the slabs, dopu_windows the planes of each window or, where
-//         dopu_load finds too much in it, of each of its parts, dopu_cells walks the cells, dopu_chunks finds their chunks that can touch the window, dopu_origin brings these into view
-//         space, dopu_emit deals them out. Each works ahead of the next; the walk of a window begins while the one
-//         before ends. Only wiring here.
+//         dopu_load finds too much in it, of each of its parts, dopu_cells walks the cells, dopu_chunks finds their
+//         chunks that can touch the window, dopu_origin brings these into view space, dopu_emit deals them out. Each
+//         works ahead of the next; the walk of a window begins while the one before ends. Only wiring here.
 // Stream  start_i with a constant frame_i; memory reads; chunk_o with one valid per PU. done_*: what the RUs have
 //         finished. bad_o: the scene names what its tables do not hold; it stays, and the unit stops.
 // Pace    One node test in three cycles; a chunk in ten.

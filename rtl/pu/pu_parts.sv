@@ -4,7 +4,8 @@
 // Paper   Sec. 4.2: the paper's windows have one part.
 // Idea    The box mean +- extent as columns and rows of parts; a Gaussian without any is dropped. The parts are walked
 //         row by row, where one is walked only this one, the mean moved to the first pixel of each by a subtraction and
-//         saturated as pu_project does it in a window of that size. The payload waits in a queue and goes along with each part.
+//         saturated as pu_project does it in a window of that size. The payload waits in a queue and goes along with
+//         each part.
 // Stream  payload in, one for each Gaussian, in order, not refused; its conic in; one conic beat per part out, and one
 //         cycle before it the payload with the part. Ends pass.
 // Pace    One part per cycle, and one cycle between Gaussians.

@@ -199,7 +199,8 @@ void StreamCheck::expect_all(uint64_t ordinal) {
   const Window& now = window(ordinal);
   const auto open = [&](uint64_t walk) {
     for (int r = 0; r < config_.regions(); ++r) {
-      if (walk_has(config_, walk, static_cast<uint64_t>(region_part(config_, r))) && !now.done.has(config_, r)) return true;
+      if (walk_has(config_, walk, static_cast<uint64_t>(region_part(config_, r))) && !now.done.has(config_, r))
+        return true;
     }
     return false;
   };

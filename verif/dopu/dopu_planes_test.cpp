@@ -40,7 +40,8 @@ TEST(DopuPlanesModel, PassesThroughTheEdgesOfTheWindow) {
     // A point on the left edge at depth 1, two pixels outside, lies in the plane: distance zero, here in pixels.
     const double fx = std::ldexp(static_cast<double>(f.lens.focal_x), -config.focal_f()),
                  cx = std::ldexp(static_cast<double>(f.lens.center_x), -config.center_f());
-    const double x = (static_cast<double>(wx * config.window + walk_square(config, walk).x - config.reach_margin()) - cx) / fx;
+    const double x =
+        (static_cast<double>(wx * config.window + walk_square(config, walk).x - config.reach_margin()) - cx) / fx;
     const double w[9] = {
         double(f.camera.rotation.w00), double(f.camera.rotation.w01), double(f.camera.rotation.w02), 0, 0, 0,
         double(f.camera.rotation.w20), double(f.camera.rotation.w21), double(f.camera.rotation.w22)};

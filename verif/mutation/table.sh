@@ -27,14 +27,19 @@ mutant dopu_windows "a set of planes is overwritten before it is released" \
        's/planes_ready = !valid_q\[fill_q\]/planes_ready = 1/' dopu
 mutant dopu_windows "a window that goes by parts is done with its first part" \
        's/place_q\[s\]\[PlaceW-1\] && //' dopu_nearest_fast
-mutant dopu_windows "the part behind the right one is the one below it, seen or not" 's/part_q\[0\] \|\| !right_in/part_q[0]/' \
+mutant dopu_windows "the part behind the right one is the one below it, seen or not" \
+       's/part_q\[0\] \|\| !right_in/part_q[0]/' \
        dopu_nearest_fast
-mutant dopu_windows "a window that was counted is counted again" 's/(count    = counts_i) && !parts_q/\1/' dopu_nearest_fast
+mutant dopu_windows "a window that was counted is counted again" \
+       's/(count    = counts_i) && !parts_q/\1/' dopu_nearest_fast
 mutant dopu_load "the last group alone decides" "s/SumW'\(sum_q\) \+ //" dopu_nearest_fast
-mutant dopu_load "what a window held counts for the next one" 's/else if \(counted_i\)/else if (1'"'"'b0)/' dopu_nearest_fast
+mutant dopu_load "what a window held counts for the next one" \
+       's/else if \(counted_i\)/else if (1'"'"'b0)/' dopu_nearest_fast
 mutant dopu_planes "a part reaches as far as its window" 's/half \? W/1'"'"'b0 ? W/' dopu_planes_walks
-mutant pipegs_dopu "each part ends its window" 's/(part_end    = walk_end) && !set_ends/\1 \&\& 1'"'"'b0 \&\& set_ends/' dopu_nearest_fast
-mutant dopu_cells "a set that is counted gives its turn away" 's/set_q \^ !set_counts_i\[set_q\]/!set_q/' dopu_nearest_fast
+mutant pipegs_dopu "each part ends its window" \
+       's/(part_end    = walk_end) && !set_ends/\1 \&\& 1'"'"'b0 \&\& set_ends/' dopu_nearest_fast
+mutant dopu_cells "a set that is counted gives its turn away" \
+       's/set_q \^ !set_counts_i\[set_q\]/!set_q/' dopu_nearest_fast
 mutant dopu_descend "no place is reserved for a result of the test" \
        's/ && reserved_q\[l\] != ReservedW.\(Results\)//' dopu
 mutant dopu_descend "a chunk that is shown is taken back when its window is done" 's/ && !shown_q;/;/' dopu
@@ -208,7 +213,8 @@ mutant su_bitonic "one stage too many for a full batch" 's/(<< size_q\)) >= fill
 mutant su_split "the tail of a bucket is overwritten" 's/\{filled \? tail : drop_slot_q/{drop_slot_q/'
 mutant su_output "a splat is shown to the spill too while it goes to the merge" \
        's/(back_valid_o = valid) && divert_i/\1/' su
-mutant su_collect "the end of a part turns no set" 's/(in_kind_i )!= (pipegs_pkg::Kind)LayerEnd/\1== \2WindowEnd/' su_marks
+mutant su_collect "the end of a part turns no set" \
+       's/(in_kind_i )!= (pipegs_pkg::Kind)LayerEnd/\1== \2WindowEnd/' su_marks
 mutant su_merge "the end of a part goes to the RUs" 's/!= (pipegs_pkg::Kind)WindowEnd/== \1LayerEnd/' su_merge_marks
 mutant su_merge "a comparison is not inverted for the other lane" 's/(beats\[j\*Units\+i\] = )!/\1/'
 mutant su_key "index sorted downwards" 's/\{splat_i\.depth, splat_i\.index\}/{splat_i.depth, ~splat_i.index}/' su_merge

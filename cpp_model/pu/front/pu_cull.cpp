@@ -39,7 +39,7 @@ int64_t scale_in_view(const Config& c, uint64_t scale, uint64_t opacity, uint64_
 bool touches(const Config& c, int64_t x, int64_t z, int64_t s, uint64_t focal, uint64_t reach, int64_t center,
              int64_t pixel, int64_t pixels, int64_t& gap) {
   const int64_t first = (pixel - c.reach_margin()) * (1 << kEdgeF);
-  const int64_t a = first - shift_ceil(center, c.center_f() - kEdgeF);  // s17.4, rounded down
+  const int64_t a = first - shift_ceil(center, c.center_f() - kEdgeF);       // s17.4, rounded down
   const int64_t span = ((pixels - 1 + 2 * c.reach_margin()) << kEdgeF) + 1;  // covers the rounding of a
   const int to_edge = c.focal_f() - kEdgeF;
   const int64_t f = static_cast<int64_t>(focal), r = shift_ceil(static_cast<int64_t>(reach), 8) << 8;

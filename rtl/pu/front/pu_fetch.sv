@@ -88,8 +88,9 @@ module pu_fetch #(
 
   assign gaussian = is_data ? item : '0;  // an end beat carries zeros
 
-  assign fetched_o = {{pipegs_pkg::SlotW{is_data}} & slot, gaussian.index, gaussian.base_b, gaussian.base_g, gaussian.base_r,
-                      gaussian.opacity, gaussian.scale_2, gaussian.scale_1, gaussian.scale_0,
+  assign fetched_o = {{pipegs_pkg::SlotW{is_data}} & slot, gaussian.index,
+                      gaussian.base_b, gaussian.base_g, gaussian.base_r, gaussian.opacity,
+                      gaussian.scale_2, gaussian.scale_1, gaussian.scale_0,
                       gaussian.qz, gaussian.qy, gaussian.qx, gaussian.qw,
                       gaussian.offset_z, gaussian.offset_y, gaussian.offset_x, header};
 

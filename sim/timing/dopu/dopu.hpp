@@ -2,9 +2,10 @@
 // dopu.hpp: the DOPU in the timing model: the walk of the windows, from cells down to chunks.
 //
 // RTL     rtl/dopu/: dopu_windows, dopu_cells, dopu_origin, dopu_emit; descend.hpp, nearest.hpp.
-// Idea    Which nodes pass, and which windows go by parts, is in the trace; here is only when. The unit plays its registers cycle by cycle while
-//         something in it moves. The box test takes a node in every third cycle of the unit's own clock, which stops
-//         after 127 quiet cycles, so the phase of the test depends on how long the unit has slept.
+// Idea    Which nodes pass, and which windows go by parts, is in the trace; here is only when. The unit plays its
+//         registers cycle by cycle while something in it moves. The box test takes a node in every third cycle of the
+//         unit's own clock, which stops after 127 quiet cycles, so the phase of the test depends on how long the unit
+//         has slept.
 #pragma once
 
 #include <memory>

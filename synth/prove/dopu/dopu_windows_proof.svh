@@ -67,8 +67,8 @@ function automatic logic follows(input logic some, input logic [PlaceW-1:0] earl
             at[2*WindowW-1:0] == earlier[2*WindowW-1:0] && walk_at(at) == next_part(earlier);
 endfunction
 function automatic logic known(input logic [PlaceW-1:0] at);  // a walk that there is
-  known = walk_at(at) == 3'd0 || (walk_at(at)[2] && (!walk_at(at)[0] || right_at(at)) &&
-          (!walk_at(at)[1] || lower_at(at)));
+  known = walk_at(at) == 3'd0 || walk_at(at) == 3'd4 || (walk_at(at) == 3'd5 && right_at(at)) ||
+          (walk_at(at) == 3'd6 && lower_at(at)) || (walk_at(at) == 3'd7 && right_at(at) && lower_at(at));
 endfunction
 function automatic logic last_at(input logic [PlaceW-1:0] at);
   last_at = Whole || (ends_at(at) && at[2*WindowW-1:0] == frame_last);
@@ -80,7 +80,7 @@ assign real_walked = walked_i && !set_counts_o[walk_q];
 always_comb begin
   for (int unsigned s = 0; s < 2; s += 1) begin
     planes_bit[s] = planes_o[s*PlanesW + 32'(bit_place)];
-    region_now[s] = walk_at(place_q[s])[2] && 32'(walk_at(place_q[s])[1:0]) != 32'(region) / MaskW;
+    region_now[s] = walk_at(place_q[s]) >= 3'd4 && 32'(walk_at(place_q[s])) != 32'd4 + 32'(region) / MaskW;
     for (int unsigned u = 0; u < Units; u += 1) begin
       if (done_x_i[u*WindowW +: WindowW] == place_q[s][WindowW-1:0] &&
           done_y_i[u*WindowW +: WindowW] == place_q[s][2*WindowW-1:WindowW] && done_i[u*Regions + 32'(region)])
@@ -165,7 +165,7 @@ always_comb begin
       assert (to_walk_q == '0 || (last_q[walk_q] && ends_q[walk_q]));
     end else begin
       if (counts_q) assert (place_q[fill_q] == place && ends_q[fill_q] && last_q[fill_q] == last_at(place));
-      if (more_q) assert (known(place) && follows(some, newest, place));
+      assert (more_q ? known(place) && follows(some, newest, place) : walk_at(place) == 3'd0);
       if (!more_q && to_walk_q != 2'd0) assert (last_q[!fill_q]);
       if (to_walk_q == 2'd2) begin
         assert (!last_q[walk_q] && follows(1'b1, place_q[walk_q], place_q[!walk_q]) && known(place_q[!walk_q]));

@@ -27,7 +27,7 @@ struct Tally {
 
 // All walks of a frame, of a window or of a part, in their order; `crowded`: more nodes pass than the queue holds.
 struct Expected {
-  std::vector<Window> windows;  // of each walk
+  std::vector<Window> windows;              // of each walk
   std::vector<std::array<uint64_t, 3>> at;  // column, row, kind of the end
   std::vector<uint64_t> walks;
   std::vector<bool> crowded;

@@ -114,11 +114,10 @@ TEST(PuCull, ModelDropsNothingThatReachesAPixelOfTheWindow) {
         const double off = m < 0 ? -m : m > most ? m - most : 0;
         return off * off / variance;
       };
-      const double far = std::max(
-          side(v.view_x, frame.lens.focal_x, frame.lens.center_x, in.window_x, square.x, frame.raster.windows.last_x,
-               e.a),
-          side(v.view_y, frame.lens.focal_y, frame.lens.center_y, in.window_y, square.y, frame.raster.windows.last_y,
-               e.c));
+      const double far = std::max(side(v.view_x, frame.lens.focal_x, frame.lens.center_x, in.window_x, square.x,
+                                       frame.raster.windows.last_x, e.a),
+                                  side(v.view_y, frame.lens.focal_y, frame.lens.center_y, in.window_y, square.y,
+                                       frame.raster.windows.last_y, e.c));
       const bool reaches = far <= 2 * power_max;
       const bool keeps = pu_cull(config, frame, in).has_value();
       if (reaches) { ASSERT_TRUE(keeps) << to_text(config, in) << "\n" << to_text(config, frame); }

@@ -46,14 +46,14 @@ inline Fetched random_fetched(PuRandom& random, const Frame& frame) {
   const double z = static_cast<double>(v.view_z),
                size = scale_value(config, std::max({in.scale_0, in.scale_1, in.scale_2}));
   const double s = std::ldexp(size, -static_cast<int>(in.view_exp));
-  const auto aim = [&](uint64_t focal, uint64_t reach, int64_t center, uint64_t window, int64_t beside,
-                       uint64_t last) {
-    const double pixels = side_pixels(config, in.walk, window, last), reach_px = real(reach, config.focal_f()) * s / z + 2,
-                 pixel = real(center, config.center_f());
+  const auto aim = [&](uint64_t focal, uint64_t reach, int64_t center, uint64_t window, int64_t beside, uint64_t last) {
+    const double pixels = side_pixels(config, in.walk, window, last),
+                 reach_px = real(reach, config.focal_f()) * s / z + 2, pixel = real(center, config.center_f());
     const double side =
         random.chance(2) ? -reach_px * random.uniform(0, 1.2) : pixels + reach_px * random.uniform(0, 1.2);
     const double at = random.chance(2) ? random.uniform(0, pixels) : side;
-    return (static_cast<double>(window) * config.window + static_cast<double>(beside) + at - pixel) / real(focal, config.focal_f()) * z;
+    return (static_cast<double>(window) * config.window + static_cast<double>(beside) + at - pixel) /
+           real(focal, config.focal_f()) * z;
   };
   const WalkSquare square = walk_square(config, in.walk);
   const double x = aim(frame.lens.focal_x, frame.lens.reach_x, frame.lens.center_x, in.window_x, square.x,

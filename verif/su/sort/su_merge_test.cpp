@@ -99,8 +99,7 @@ TEST(SuMerge, MergesByDepthThenIndexAtEveryPace) {
         std::vector<size_t> counts;
         for (int k = 0; k < kConfig.units; ++k) counts.push_back(bench.rng() % 3 == 0 ? 0 : bench.rng() % 20);
         const uint64_t depths = bench.rng() % 2 ? 1 + bench.rng() % 4 : uint64_t{1} << kConfig.depth_w;
-        const uint64_t kind =
-            n % 3 == 2 ? kWindowEnd : n % 3 == 1 && kConfig.has_watermarks() ? kPartEnd : kLayerEnd;
+        const uint64_t kind = n % 3 == 2 ? kWindowEnd : n % 3 == 1 && kConfig.has_watermarks() ? kPartEnd : kLayerEnd;
         for (const Sorted& s : bench.layer(counts, kind, depths)) expected.push_back(s);
       }
       bench.run_until([&] { return bench.out.size() == expected.size(); });
