@@ -141,9 +141,10 @@ TEST(Timing, WindowsWalkedPartByPart) {
   options.walk_most = 1;
   expect_exact(TimedFrame(own_view(), options, 3));
   std::vector<Gaussian> wall;  // one depth: no watermark releases any of it
-  for (int i = 0; i < 12000; ++i)
-    wall.push_back(gaussian_at(
-        {0.012f * static_cast<float>(i % 110) - 0.66f, 0.012f * static_cast<float>(i / 110) - 0.66f, 2}, 0.01f, 0.1));
+  for (int i = 0; i < 28900; ++i) {
+    const float x = 0.008f * static_cast<float>(i % 170), y = 0.008f * static_cast<float>(i / 170);
+    wall.push_back(gaussian_at({x - 0.68f, y - 0.68f, 2}, 0.006f, 0.02));
+  }
   EXPECT_GT(expect_exact(TimedFrame({scene_of(wall), test_camera(128, 128)}, options)), 0u);
 }
 
