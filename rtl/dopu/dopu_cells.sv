@@ -4,8 +4,8 @@
 // Paper   Sec. 3.2 (orthogonal grid), Sec. 4.1.
 // Idea    The table is read once per frame, two cells per line, up to eight lines at a time; every window walks it
 //         again from the SRAM. Empty cells cost one cycle. After a slab comes a layer end, after the last slab a window
-//         end. A window that is done has only that. Layered 0: no slab has an end. Where a window is counted first
-//         (dopu_load) it comes twice. A table that has too few lines is not read (bad_o).
+//         end. A window that is done has only that. Layered 0: no slab has an end. A table that has too few lines is
+//         not read (bad_o).
 // Stream  cell out: a cell to test, or an end; with the set of planes that it belongs to.
 // Pace    One cell per cycle.
 // Model   cpp_model/dopu/dopu.hpp (the outer loops)
@@ -37,7 +37,6 @@ module dopu_cells #(
   input  logic [1:0]                      set_valid_i,    // from dopu_windows
   input  logic [1:0]                      set_last_i,
   input  logic [1:0]                      set_done_i,
-  input  logic [1:0]                      set_counts_i,   // it is walked once more behind this
   output logic                            walked_o,       // the set's last item is on its way
 
   output logic                            cell_valid_o,
@@ -136,10 +135,10 @@ module dopu_cells #(
       end_next_q   <= 1'b0;
     end else begin
       if (start_i) walking_q <= 1'b1;
-      else if (finished && set_last_i[set_q] && !set_counts_i[set_q]) walking_q <= 1'b0;
+      else if (finished && set_last_i[set_q]) walking_q <= 1'b0;
       if (advance) item_valid_q <= read;
       if (finished) begin
-        set_q      <= set_q ^ !set_counts_i[set_q];
+        set_q      <= !set_q;
         step_q     <= '0;
         layer_q    <= '0;
         number_q   <= '0;

@@ -21,7 +21,7 @@ module dopu_chunks #(
   input  pipegs_pkg::span_t                    chunks_i,
   input  logic [2*5*pipegs_pkg::PlaneBits-1:0] planes_i,
   input  logic [1:0]                           set_done_i,
-  input  logic [1:0]                           set_counts_i,
+  input  logic [1:0]                           set_judges_i,
 
   input  logic                                 cell_valid_i,
   output logic                                 cell_ready_o,
@@ -43,7 +43,7 @@ module dopu_chunks #(
   output pipegs_pkg::node_t                    chunk_o,
   output logic [pipegs_pkg::DepthW-1:0]        mark_o,     // of a layer's end, with watermarks
 
-  output logic                                 group_valid_o,  // of a set that is counted: a group passes, ...
+  output logic                                 group_valid_o,  // of a set on trial: a group passes, ...
   output logic [pipegs_pkg::CountW-1:0]        group_chunks_o,
   output logic                                 counted_o,      // ... all of them have
 
@@ -64,7 +64,7 @@ module dopu_chunks #(
       .chunks_i,
       .planes_i,
       .set_done_i,
-      .set_counts_i,
+      .set_judges_i,
       .cell_valid_i,
       .cell_ready_o,
       .cell_kind_i,
@@ -126,8 +126,8 @@ module dopu_chunks #(
     assign group_valid_o  = 1'b0;
     assign group_chunks_o = '0;
     assign counted_o      = 1'b0;
-    logic unused_counts;
-    assign unused_counts  = ^set_counts_i;
+    logic unused_judges;
+    assign unused_judges  = ^set_judges_i;
   end
 
 endmodule

@@ -4,11 +4,11 @@
 // Paper   Sec. 4.1 (scheduling); early termination of a whole window is the feedback of Fig. 7's RU.
 // Idea    Two sets of planes: while the walk uses one, dopu_planes fills the other. A set is done when every region of
 //         its walk is done; region (rx, ry) counts only if the RU that owns it is in this window. With lists there is
-//         one set, of all windows as one rectangle, and it is never done. Where counts_i is up a set of a whole window
-//         is counted before it is walked (set_counts_o); when that has found too much in it, the planes of its parts
-//         take its place one after the other.
+//         one set, of all windows as one rectangle, and it is never done. Where judges_i is up the walk of a whole
+//         window is on trial (set_judges_o) until it is known how much there is; one with too much is given up, which
+//         is as done, and the walks of the window's parts follow.
 // Stream  start_i for one cycle; set_valid_o: a set may be walked, until walked_i; release_i gives back the oldest set.
-//         judged_i: the set counted is to be walked whole or by parts.
+//         judged_i: the set on trial is walked on, or given up.
 // Pace    One walk per 52 cycles.
 // Model   cpp_model/dopu/dopu_planes.hpp, dopu_walks.hpp
 
@@ -35,10 +35,11 @@ module dopu_windows (
   output logic [2*5*pipegs_pkg::PlaneBits-1:0]  planes_o,
   input  logic                                  release_i,    // the oldest one is not needed any more
 
-  input  logic                                  counts_i,      // for the whole frame: windows are counted first
-  output logic [1:0]                            set_counts_o,  // walked only to be counted
-  input  logic                                  judged_i,      // it was
-  input  logic                                  parts_i        // and goes by parts
+  input  logic                                  judges_i,      // for the whole frame: there are trials
+  output logic [1:0]                            set_judges_o,  // on trial
+  input  logic                                  judged_i,      // it is over, ...
+  input  logic                                  parts_i,       // ... and the window goes by parts
+  output logic [1:0]                            set_given_o    // given up
 );
 
   localparam int unsigned WindowW = pipegs_pkg::WindowW;
@@ -57,17 +58,17 @@ module dopu_windows (
   logic [PlanesW-1:0] planes;
   logic [1:0]         valid_q, fresh_q, last_q, ends_q, done_d, done_q;
   logic               fill_q, walk_q, oldest_q;  // the set filled, walked, released next
-  logic               fill, count, whole, split, ends, next;  // next: the window has its walks, or a set of each
-  logic               counts_q;                  // the set filled last is counted, and the next one waits
+  logic               fill, on_trial, split, ends, next;  // next: the window has a set for each of its walks
+  logic               judges_q;                  // the set filled last is on trial, and the next one waits
+  logic [1:0]         given_q;
   logic [PlaceW-1:0]  place_q [2];
   logic [PlanesW-1:0] planes_q [2];
 
-  assign window_valid = more_q && !asking_q && !counts_q;
+  assign window_valid = more_q && !asking_q && !judges_q;
   assign planes_ready = !valid_q[fill_q];
   assign fill         = planes_valid && planes_ready;
-  assign whole        = judged_i && !parts_i;
   assign split        = judged_i && parts_i;
-  assign next         = whole || (fill && !count && ends);
+  assign next         = (judged_i && !parts_i) || (fill && !on_trial && ends);
   assign last         = Whole || (row_ends && y == raster_i.windows.last_y);
 
   pipegs_window_walk u_walk (
@@ -108,23 +109,25 @@ module dopu_windows (
       fill_q   <= 1'b0;
       walk_q   <= 1'b0;
       oldest_q <= 1'b0;
-      counts_q <= 1'b0;
+      judges_q <= 1'b0;
+      given_q  <= '0;
     end else begin
       if (start_i) more_q <= 1'b1;
       if (window_valid && window_ready) asking_q <= 1'b1;
       if (walked_i) begin
         fresh_q[walk_q] <= 1'b0;
-        walk_q          <= walk_q ^ !set_counts_o[walk_q];
+        walk_q          <= !walk_q;
       end
       if (fill) begin
         asking_q        <= 1'b0;
         valid_q[fill_q] <= 1'b1;
-        counts_q        <= count;
+        fresh_q[fill_q] <= 1'b1;
+        given_q[fill_q] <= 1'b0;
+        fill_q          <= !fill_q;
+        judges_q        <= on_trial;
       end
-      if (judged_i) counts_q <= 1'b0;
-      if (split) valid_q[fill_q] <= 1'b0;
-      if (fill || whole) fresh_q[fill_q] <= 1'b1;
-      if (whole || (fill && !count)) fill_q <= !fill_q;
+      if (judged_i) judges_q <= 1'b0;
+      if (split) given_q[!fill_q] <= 1'b1;
       if (next && last) more_q <= 1'b0;
       if (release_i) begin
         valid_q[oldest_q] <= 1'b0;
@@ -138,14 +141,15 @@ module dopu_windows (
       planes_q[fill_q] <= planes;
       place_q[fill_q]  <= place;
       ends_q[fill_q]   <= ends;
-      last_q[fill_q]   <= ends && last;
+      last_q[fill_q]   <= ends && last && !on_trial;  // then nobody needs to know
     end
   end
 
   assign set_valid_o  = fresh_q;
   assign set_last_o   = last_q;
   assign set_ends_o   = ends_q;
-  assign set_counts_o = {counts_q && fill_q, counts_q && !fill_q};
+  assign set_judges_o = {judges_q && !fill_q, judges_q && fill_q};
+  assign set_given_o  = given_q & valid_q;
   assign set_place_o  = {place_q[1], place_q[0]};
   assign planes_o     = {planes_q[1], planes_q[0]};
 
@@ -158,7 +162,7 @@ module dopu_windows (
     logic       right_in, lower_in;  // the right column, the lower row have pixels
     assign right_in = PixelW'({x, 1'b1}) << HalfF < PixelW'(raster_i.width);
     assign lower_in = PixelW'({y, 1'b1}) << HalfF < PixelW'(raster_i.height);
-    assign count    = counts_i && !parts_q;
+    assign on_trial = judges_i && !parts_q;
     assign ends     = !parts_q || part_q == {lower_in, right_in};
     assign place    = {parts_q, part_q, y, x};
     always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -172,11 +176,11 @@ module dopu_windows (
       end
     end
   end else begin : gen_whole
-    assign count = 1'b0;
-    assign ends  = 1'b1;
-    assign place = {y, x};
-    logic unused_counts;
-    assign unused_counts = counts_i;
+    assign on_trial = 1'b0;
+    assign ends     = 1'b1;
+    assign place    = {y, x};
+    logic unused_judges;
+    assign unused_judges = judges_i;
   end
 
   // --- done feedback ------------------------------------------------------------------------------------------------
@@ -197,7 +201,7 @@ module dopu_windows (
 
   always_comb begin
     for (int unsigned s = 0; s < 2; s += 1) begin
-      done_d[s] = !Whole && valid_q[s] && !set_counts_o[s] && (region_done[s] | beside[s]) == '1;
+      done_d[s] = !Whole && valid_q[s] && !set_judges_o[s] && (region_done[s] | beside[s]) == '1;
     end
   end
   for (genvar s = 0; s < 2; s += 1) begin : gen_beside
@@ -212,10 +216,10 @@ module dopu_windows (
   end
   always_ff @(posedge clk_i) done_q <= done_d;
   assign done_news_o = done_d != done_q;
-  assign set_done_o = done_q & valid_q;
+  assign set_done_o = (done_q | given_q) & valid_q;
 
 `ifndef SYNTHESIS
-  always_ff @(posedge clk_i) if (rst_ni) assert (!judged_i || counts_q);
+  always_ff @(posedge clk_i) if (rst_ni) assert (!judged_i || judges_q);
   pipegs_stream_check #(.DataW(PlaceW)) u_check_window (
     .clk_i,
     .rst_ni,

@@ -76,10 +76,10 @@ module pipegs_dopu (
   );
 
   // --- windows and their planes: two sets, one ahead ----------------------------------------------------------------
-  logic [1:0]           set_valid, set_last, set_done, set_ends, set_counts;
+  logic [1:0]           set_valid, set_last, set_done, set_ends, set_judges, set_given;
   logic [2*PlaceW-1:0]  set_place;
   logic [2*5*pipegs_pkg::PlaneBits-1:0] planes;
-  logic                 window_walked, window_sent, done_news, counts, group_valid, counted, too_much;
+  logic                 window_walked, window_sent, done_news, judges, group_valid, counted, judged, parts;
   logic [pipegs_pkg::CountW-1:0] group_chunks;
 
   dopu_windows u_windows (
@@ -101,10 +101,11 @@ module pipegs_dopu (
     .planes_o(planes),
     .walked_i(window_walked),
     .release_i(window_sent),
-    .counts_i(counts),
-    .set_counts_o(set_counts),
-    .judged_i(counted),
-    .parts_i(too_much)
+    .judges_i(judges),
+    .set_judges_o(set_judges),
+    .judged_i(judged),
+    .parts_i(parts),
+    .set_given_o(set_given)
   );
 
   if (pipegs_pkg::HasWalks) begin : gen_load
@@ -112,17 +113,19 @@ module pipegs_dopu (
       .clk_i,
       .rst_ni,
       .most_i(frame_i.walk_most),
-      .counts_o(counts),
+      .judges_o(judges),
       .group_valid_i(group_valid),
       .group_chunks_i(group_chunks),
       .counted_i(counted),
-      .too_much_o(too_much)
+      .judged_o(judged),
+      .parts_o(parts)
     );
   end else begin : gen_no_load
-    assign counts   = 1'b0;
-    assign too_much = 1'b0;
+    assign judges = 1'b0;
+    assign judged = 1'b0;
+    assign parts  = 1'b0;
     logic unused_load;
-    assign unused_load = &{1'b0, group_valid, group_chunks};
+    assign unused_load = &{1'b0, group_valid, group_chunks, counted};
   end
 
   // --- cells --------------------------------------------------------------------------------------------------------
@@ -158,7 +161,6 @@ module pipegs_dopu (
     .set_valid_i(set_valid),
     .set_last_i(set_last),
     .set_done_i(set_done),
-    .set_counts_i(set_counts),
     .walked_o(window_walked),
     .cell_valid_o(cell_valid),
     .cell_ready_i(cell_ready),
@@ -184,7 +186,7 @@ module pipegs_dopu (
     .chunks_i({areas_i.chunks, frame_i.tables.chunks}),
     .planes_i(planes),
     .set_done_i(set_done),
-    .set_counts_i(set_counts),
+    .set_judges_i(set_judges),
     .cell_valid_i(cell_valid),
     .cell_ready_o(cell_ready),
     .cell_kind_i(cell_kind),
@@ -235,7 +237,7 @@ module pipegs_dopu (
   );
 
   // --- chunks -> PUs ------------------------------------------------------------------------------------------------
-  logic               chunk_valid, chunk_ready, last_end, walk_end, part_end;
+  logic               chunk_valid, chunk_ready, last_end, walk_end, part_end, given_up, origin_ready;
   pipegs_pkg::chunk_t chunk;
 
   dopu_origin u_origin (
@@ -243,8 +245,8 @@ module pipegs_dopu (
     .rst_ni,
     .position_i(frame_i.camera.position),
     .rotation_i(frame_i.camera.rotation),
-    .node_valid_i(node_valid),
-    .node_ready_o(node_ready),
+    .node_valid_i(node_valid && !given_up),
+    .node_ready_o(origin_ready),
     .kind_i(part_end ? pipegs_pkg::KindPartEnd : node_kind),
     .place_i(node_set ? set_place[2*PlaceW-1:PlaceW] : set_place[PlaceW-1:0]),
     .node_i(node),
@@ -256,6 +258,8 @@ module pipegs_dopu (
   // Nothing of the walk needs its planes any more once its end has left the test.
   assign walk_end    = node_kind == pipegs_pkg::KindWindowEnd;
   assign part_end    = walk_end && !set_ends[node_set];
+  assign given_up    = walk_end && set_given[node_set];  // nobody needs to know
+  assign node_ready  = origin_ready || given_up;
   assign window_sent = node_valid && node_ready && walk_end;
   assign last_end    = chunk_valid && chunk_ready && chunk.kind == pipegs_pkg::KindWindowEnd
                        && (pipegs_pkg::HasLists || (chunk.window_x == frame_i.raster.windows.last_x &&

@@ -429,7 +429,8 @@ mutant "a set is overwritten before it is released" 's/planes_ready = !valid_q\[
 mutant "a release clears the set filled next instead of the oldest" 's/valid_q\[oldest_q\] <= /valid_q[fill_q] <= /'
 mutant "a set is called done for the window that it held before" 's/set_done_o = done_q \& valid_q/set_done_o = done_q/'
 mutant "a part of a window is left out" "s/2'd2 : part_q/2'd3 : part_q/"
-mutant "a window that was counted stays in parts" 's/\(parts_q && !next\)/parts_q/'
+mutant "a window stays in parts" 's/\(parts_q && !next\)/parts_q/'
+mutant "a set is filled while another one is on trial" 's/ && !judges_q;/;/'
 mutant "a row has one window less" "s/(last_x_i\(raster_i.windows.last_x)\)/\1 - 1'b1)/"
 
 # Places for results are reserved: three levels, a test and readers of which only the promises are known. A node has

@@ -30,16 +30,16 @@ mutant dopu_windows "a window that goes by parts is done with its first part" \
 mutant dopu_windows "the part behind the right one is the one below it, seen or not" \
        's/part_q\[0\] \|\| !right_in/part_q[0]/' \
        dopu_nearest_fast
-mutant dopu_windows "a window that was counted is counted again" \
-       's/(count    = counts_i) && !parts_q/\1/' dopu_nearest_fast
+mutant dopu_windows "a part is on trial, too" 's/(on_trial = judges_i) && !parts_q/\1/' dopu_nearest_fast
+mutant dopu_nearest "a window on trial opens groups" 's/!held_back && open_ready/open_ready/' dopu_nearest_fast
+mutant pipegs_dopu "the end of a walk that is given up goes to the PUs" \
+       's/(given_up    = walk_end) && /\1 \&\& 1'"'"'b0 \&\& /' dopu_nearest_fast
 mutant dopu_load "the last group alone decides" "s/SumW'\(sum_q\) \+ //" dopu_nearest_fast
 mutant dopu_load "what a window held counts for the next one" \
-       's/else if \(counted_i\)/else if (1'"'"'b0)/' dopu_nearest_fast
+       's/else if \(judged_o\)/else if (parts_q)/' dopu_nearest_fast
 mutant dopu_planes "a part reaches as far as its window" 's/half \? W/1'"'"'b0 ? W/' dopu_planes_walks
 mutant pipegs_dopu "each part ends its window" \
        's/(part_end    = walk_end) && !set_ends/\1 \&\& 1'"'"'b0 \&\& set_ends/' dopu_nearest_fast
-mutant dopu_cells "a set that is counted gives its turn away" \
-       's/set_q \^ !set_counts_i\[set_q\]/!set_q/' dopu_nearest_fast
 mutant dopu_descend "no place is reserved for a result of the test" \
        's/ && reserved_q\[l\] != ReservedW.\(Results\)//' dopu
 mutant dopu_descend "a chunk that is shown is taken back when its window is done" 's/ && !shown_q;/;/' dopu

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <stdexcept>
 
 #include "cpp_model/dopu/dopu_axis.hpp"
 #include "cpp_model/dopu/dopu_layer.hpp"
@@ -22,7 +23,7 @@ Dopu::Dopu(const Machine& m)
       grid_(m.config.grid),
       axis_(dopu_axis(m.frame)),
       walks_(m.trace.walks.size()),
-      counts_(m.frame.walk_most != 0),
+      judges_(m.frame.walk_most != 0),
       most_asked_(m.config.node_lines() / 2),
       asked_(most_asked_),
       table_line_(m.frame.tables.cells) {
@@ -150,9 +151,13 @@ void Dopu::origin(const Machine& m, DopuCycle& cycle) {
     shifting_ = false;
     cycle.changed = true;
   }
-  if (was_multiplying) return;
   const DopuItem* item = node(now);
   if (item == nullptr) return;
+  if (item->end == kWindowEndBeat && sets_[item->set].given_up) {
+    window_sent_ = cycle.node_taken = cycle.moved = cycle.changed = true;
+    return;
+  }
+  if (was_multiplying) return;
   multiplying_ = true;
   multiplied_ = *item;
   multiplied_at_ = now + (multiplied_.data() ? kOriginCycles : 1);
@@ -237,7 +242,7 @@ void Dopu::cells(const Machine& m, DopuCycle& cycle) {
   }
   if (finished) {
     window_walked_ = true;
-    if (set.last && !set.counts) walking_ = false;
+    if (set.last) walking_ = false;
     walk_step_ = walk_layer_ = walk_number_ = 0;
     end_next_ = false;
   } else if (!inside) {
@@ -266,17 +271,11 @@ bool Dopu::all_done(const Machine& m, size_t number) const {
   return true;
 }
 
-// The set has the planes of the next walk.
-void Dopu::filled(DopuSet& set) {
-  set.last = ++next_walk_ == walks_;
-  fill_ ^= 1;
-}
-
 void Dopu::windows(const Machine& m, DopuCycle& cycle) {
   const Cycle now = cycle.now;
   // done of the next cycle; the sets as they were when this one began.
   for (size_t s = 0; s < 2; ++s) {
-    const bool done = sets_[s].valid && !sets_[s].counts && !m.config.has_lists() && all_done(m, sets_[s].walk);
+    const bool done = sets_[s].valid && !sets_[s].judges && !m.config.has_lists() && all_done(m, sets_[s].walk);
     if (done != done_[s]) woken_ = cycle.changed = true;
     done_[s] = done;
   }
@@ -285,34 +284,37 @@ void Dopu::windows(const Machine& m, DopuCycle& cycle) {
     DopuSet& set = sets_[fill_];
     const TimingWalk& walk = m.trace.walks[next_walk_];
     set.valid = set.fresh = true;
+    set.given_up = false;
     set.walk = next_walk_;
     set.chunk = walk.first_chunk;
-    set.counts = counts_ && walk.walk == kWholeWalk;
-    if (!set.counts) filled(set);
+    set.judges = judges_ && walk.walk == kWholeWalk;
+    if (!set.judges) set.last = ++next_walk_ == walks_;
+    fill_ ^= 1;
     planes_ = kPlanesIdle;
     planes_at_ = now + 1;
     cycle.changed = true;
-  } else if (planes_ == kPlanesIdle && now >= planes_at_ && next_walk_ < walks_ && !sets_[fill_].counts) {
+  } else if (planes_ == kPlanesIdle && now >= planes_at_ && next_walk_ < walks_ && !sets_[fill_ ^ 1].judges) {
     planes_ = kPlanesBusy;
     planes_at_ = now + kPlanesCycles;
   }
   if (window_walked_) {
     sets_[walk_set_].fresh = false;
-    walk_set_ ^= sets_[walk_set_].counts ? 0 : 1;
+    walk_set_ ^= 1;
     cycle.changed = true;
   }
-  if (cycle.counted) {
-    DopuSet& set = sets_[fill_];
-    set.counts = false;
-    set.valid = set.fresh = m.trace.walks[next_walk_].walked;
-    set.valid ? filled(set) : static_cast<void>(++next_walk_);
+  if (cycle.judged) {
+    DopuSet& set = sets_[fill_ ^ 1];
+    set.judges = false;
+    set.given_up = cycle.parts;
+    if (set.given_up != m.trace.walks[next_walk_++].given_up)
+      throw std::logic_error("timing model: another judgement than the trace's");
   }
   if (window_sent_) {
     sets_[oldest_].valid = false;
     oldest_ ^= 1;
     cycle.changed = true;
   }
-  for (size_t s = 0; s < 2; ++s) sets_[s].done = done_[s] && sets_[s].valid;
+  for (size_t s = 0; s < 2; ++s) sets_[s].done = (done_[s] || sets_[s].given_up) && sets_[s].valid;
 }
 
 }  // namespace pipegs::timing

@@ -48,7 +48,6 @@ class Dopu {
   void cells(const Machine& m, DopuCycle& cycle);
   void windows(const Machine& m, DopuCycle& cycle);
   bool all_done(const Machine& m, size_t walk) const;
-  void filled(DopuSet& set);
   void ask(Machine& m);
   uint64_t line(int level) const { return nearest_ ? nearest_->line(level) : descend_->line(level); }
   int lines(int level) const { return nearest_ ? nearest_->lines(level) : descend_->lines(level); }
@@ -58,7 +57,7 @@ class Dopu {
   std::array<int, 16> slabs_{};  // of each step; -1 outside the grid
   const int axis_;
   const size_t walks_;
-  const bool counts_;  // windows are counted before they are walked
+  const bool judges_;  // there are trials
   DopuSets sets_;
   std::unique_ptr<Descend> descend_;  // one of these
   std::unique_ptr<Nearest> nearest_;

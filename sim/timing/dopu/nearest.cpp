@@ -25,6 +25,7 @@ Nearest::Nearest(const TimingTrace& trace, const Config& config)
       since_most_((uint32_t{1} << (clog2(config.mark_chunks + 1) + (Config::window_marks() >> 3))) - 1),
       near_step_(dopu_depth_near(trace.config, trace.frame)),
       mark_shift_(config.depth_w - config.step_w()),
+      most_groups_(config.nearest_nodes / 2),
       queue_(std::make_unique<NearestQueue>(config.nearest_nodes)),
       none_((1 << trace.config.bucket_w()) - 1),
       open_{Open(trace.frame.tables.groups, none_), Open(trace.frame.tables.chunks, none_)} {}
@@ -36,7 +37,11 @@ void Nearest::step(DopuCycle& cycle, DopuSets& sets) {
       is.through[0] || is.through[1] || is.through[2])
     cycle.moved = cycle.changed = true;
 
+  // dopu_load
+  cycle.judged = too_much_ || (is.through[1] && sets[static_cast<size_t>(set_[1])].judges);
+  cycle.parts = too_much_;
   enter(cycle, sets, is);
+  if (cycle.judged) gaussians_ = groups_ = 0, too_much_ = false, cycle.changed = true;
   if (send(cycle, sets, is)) cycle.changed = true;
 
   // The queue, and the nodes that are opened.
@@ -58,14 +63,8 @@ void Nearest::step(DopuCycle& cycle, DopuSets& sets) {
     if (!is.through[l]) continue;
     if (l == 0) cells_in_ = false;
     cycle.changed = true;
-    const auto set = static_cast<size_t>(set_[l]);
-    complete_[l][set] = true;
-    if (!sets[set].counts) {
-      set_[l] ^= 1;
-    } else if (l == 1) {
-      complete_[0][set] = complete_[1][set] = false;
-      cycle.counted = true;
-    }
+    complete_[l][static_cast<size_t>(set_[l])] = true;
+    set_[l] ^= 1;
   }
   if (!in_test_.empty()) cycle.at(in_test_.front().due);
   cycle.at(queue_->next(now));
@@ -128,15 +127,18 @@ Nearest::Said Nearest::look(const DopuCycle& cycle, const DopuSets& sets) {
   // Opening: the nearest cell, the nearest group.
   const bool few = waiting_[static_cast<size_t>(set2)] < Config::nearest_ahead() && !crowded;
   const bool group_first = !some[2] || first[1] <= first[2];
-  const bool cell_first = set1 == set2 && (!some[2] || first[0] <= first[2]) && (!some[1] || first[0] <= first[1]);
+  const bool held_back = sets[static_cast<size_t>(set2)].judges;
+  const bool cell_first =
+      set1 == set2 && (!some[2] || first[0] <= first[2]) && (!some[1] || held_back || first[0] <= first[1]);
   const bool pop_cell = some[0] && (is.level_done[1] || (open_[0].room() && (!crowded || cell_first)));
-  const bool pop_group = some[1] && (is.level_done[2] || (open_[1].room() && (few || group_first)));
+  const bool pop_group = some[1] && (is.level_done[2] || (!held_back && open_[1].room() && (few || group_first)));
   is.pop = is.pop_send ? send_list : pop_group ? list(1, set2) : pop_cell ? list(0, set1) : -1;
   is.insert = is.any_live && idle && is.pop < 0 && !is.full;
   is.insert_level = is.live[2] ? 2 : is.live[1] ? 1 : 0;
   is.direct[2] = is.load_direct;
   for (size_t l = 0; l < 2; ++l)
     is.direct[l] = is.full && idle && is.pop < 0 && is.live[l] && open_[l].room() && set_[l] == set_[l + 1];
+  is.direct[1] = is.direct[1] && !held_back;
   for (size_t l = 0; l < kLevels; ++l) {
     is.retired[l] =
         is.held[l] && (!is.live[l] || is.direct[l] || (is.insert && is.insert_level == static_cast<int>(l)));
@@ -158,8 +160,7 @@ Nearest::Result Nearest::child(int level, uint32_t node, bool last, const DopuSe
   uint32_t& cursor = open_[static_cast<size_t>(level - 1)].cursor;
   if (level == 1) {
     while (cursor < walk.groups_ranked.size() && walk.groups_ranked[cursor].node < node) ++cursor;
-    const bool counts = sets[static_cast<size_t>(set_[1])].counts;  // then none goes further
-    if (counts || cursor == walk.groups_ranked.size() || walk.groups_ranked[cursor].node != node) return result;
+    if (cursor == walk.groups_ranked.size() || walk.groups_ranked[cursor].node != node) return result;
     return {last, true, {walk.groups_ranked[cursor].bucket, cursor}};
   }
   while (cursor < walk.first_chunk + walk.chunks && trace_.chunks_sent[cursor].chunk < node) ++cursor;
@@ -214,6 +215,12 @@ void Nearest::enter(DopuCycle& cycle, const DopuSets& sets, const Said& is) {
   // Results.
   if (!in_test_.empty() && in_test_.front().due <= now) {
     const InTest& in = in_test_.front();
+    const DopuSet& set = sets[static_cast<size_t>(set_[1])];
+    if (in.level == 1 && in.result.pass && set.judges) {
+      const uint32_t group = trace_.walks[set.walk].groups_ranked[in.result.node.number].node;
+      gaussians_ += uint64_t{trace_.groups[group].count} * static_cast<uint64_t>(trace_.config.chunk);
+      too_much_ = gaussians_ > trace_.frame.walk_most || ++groups_ > most_groups_;
+    }
     if (in.result.pass || in.result.last) {
       held_[in.level].push(now, in.result);
     } else {
@@ -276,7 +283,7 @@ bool Nearest::send(const DopuCycle& cycle, const DopuSets& sets, const Said& is)
   out_.set = static_cast<uint8_t>(send_set_);
   if (is.end_due) {
     out_.end = kWindowEndBeat;
-    out_.last = sets[out_.set].last;
+    out_.last = sets[out_.set].walk + 1 == trace_.walks.size();
     since_ = 0, mark_ = 0, marks_ = 0;
   } else if (is.mark_due) {
     out_.end = kLayerEndBeat;

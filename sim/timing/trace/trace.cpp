@@ -52,7 +52,7 @@ class WindowTrace {
       const std::vector<uint64_t> walks = dopu_walks(config_, frame_, packed_, x_, y_);
       if (walks.front() != kWholeWalk) {
         begin(kWholeWalk);
-        walk().walked = walk().ends = false;
+        walk().given_up = true;
         ranked();
       }
       for (const uint64_t one : walks) {
@@ -112,14 +112,13 @@ class WindowTrace {
       const int cell_bucket = bucket(cell, 0);
       walk().cells_ranked.push_back({static_cast<uint32_t>(number), static_cast<uint32_t>(walk().groups_ranked.size()),
                                      static_cast<uint16_t>(cell_bucket)});
-      if (!walk().walked) continue;
       for (uint64_t g = cell.first; g < cell.first + cell.count; ++g) {
         const Node& group = packed_.groups[g];
         if (!passes(group, cell_bucket)) continue;
         const int group_bucket = bucket(group, cell_bucket);
         walk().groups_ranked.push_back({static_cast<uint32_t>(g), static_cast<uint32_t>(part_.chunks.size()),
                                         static_cast<uint16_t>(group_bucket)});
-        chunks(group, group_bucket);
+        if (!walk().given_up) chunks(group, group_bucket);
       }
     }
   }
@@ -240,7 +239,7 @@ Config timing_config(Config config) {
   config.records = standard.records;
   config.fetch_lines = standard.fetch_lines;
   if (!config.has_watermarks()) config.bucket_bits = standard.bucket_bits;
-  config.nearest_nodes = standard.nearest_nodes;
+  if (!config.has_walks()) config.nearest_nodes = standard.nearest_nodes;  // see dopu_load
   config.mark_chunks = standard.mark_chunks;
   config.late = standard.late;
   config.quadratic = standard.quadratic;

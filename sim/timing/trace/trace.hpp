@@ -42,12 +42,12 @@ struct TimingParent {
   uint16_t bucket = 0;
 };
 
-// A walk of the DOPU, or with lists that of the frame. A window that goes by parts has one more before them, of cells
-// alone, in which it is counted.
+// A walk of the DOPU, or with lists that of the frame. A window that goes by parts has one more before them, which is
+// given up before a group of it is opened.
 struct TimingWalk {
   size_t window = 0;  // of TimingTrace::windows
   uint64_t walk = kWholeWalk;
-  bool walked = true;                                     // not only counted
+  bool given_up = false;
   bool ends = true;                                       // its window's last
   size_t first_chunk = 0, chunks = 0;                     // of TimingTrace::chunks_sent
   std::vector<uint64_t> cells, groups;                    // bits of the nodes that pass, by node; orders 0 and 1

@@ -2,35 +2,34 @@
 // The end of rtl/dopu/dopu_windows.sv in its proof: two sets of planes take turns, filled, walked and released in that
 // order; a window goes whole or by all its parts.
 //
-// Rule    A set holds its place and its planes from the cycle in which it shows until it is released, or gives way to
-//         the parts of a window that was counted. Sets are walked, but for counting, so that each is the whole of the
-//         window behind that of the one before, row by row, or the first of its parts, or the next part of the same
-//         window; a window is left with its whole or its last part; where windows are counted each is judged once; the
-//         last walk of the frame is marked. A set is called done only if every region of its own walk was done in the
-//         cycle before: never on account of a walk that it held earlier.
+// Rule    A set holds its place and its planes from the cycle in which it shows until it is released. Sets are filled,
+//         and walked in that order, so that the first is the whole of the frame's first window, and behind a whole
+//         window or its last part comes the whole of the next one, row by row, up to the frame's last; behind a window
+//         that was given up its first part, behind that its next one. Where there are trials each whole window has one,
+//         and nothing is filled before it is over. The last walk of the frame is marked, but for one on trial. A set is
+//         called done only if it was given up, or if every region of its own walk was done in the cycle before: never
+//         on account of a walk that it held earlier.
 // Assumes Of dopu_planes the rule of free_planes; of the walk: a set is walked when it shows, released in turn when
-//         walked, judged when walked to be counted; a frame begins when no set is held, and stays.
+//         walked, not while it is on trial; a frame begins when no set is held, and stays.
 // Invariant  The sets held (walked or not) lie between the turns of release and of filling; what is filled next follows
-//         the set filled last, or where none waits that walked last.
+//         the set filled last.
 
 localparam int unsigned PlaneBit = $clog2(PlanesW);
 localparam int unsigned WalkW = PlaceW - 2 * WindowW;
 (* hierconn *) logic \u_planes.inside_q ;
 (* anyconst *) logic [$clog2(Regions)-1:0] region;
 (* anyconst *) logic [PlaneBit-1:0]        bit_place;
-logic [1:0]         held_q, to_walk_q;  // sets filled for a walk and not released; not walked
-logic               left_q;             // windows are left to walk
-logic               fresh_count_q;      // the set that is counted is not walked yet
-logic               began_q;            // a set was walked
-logic [PlaceW-1:0]  before_q, place_before_q [2], newest;  // the set walked last; the set filled last, or that
+logic [1:0]         held_q, to_walk_q;  // sets filled and not released; not walked
+logic               filled_q;           // one of this frame
+logic [PlaceW-1:0]  place_before_q [2], newest;
 logic [1:0]         valid_before_q, last_before_q, ends_before_q, bit_before_q, region_before_q, planes_bit, region_now;
-logic               counts_before_q;
+logic               judges_before_q;
 pipegs_pkg::rotation_t rotation_before_q;
 pipegs_pkg::lens_t     lens_before_q;
 pipegs_pkg::raster_t   raster_before_q;
 logic frame_stays;
 assign frame_stays = rotation_i == rotation_before_q && lens_i == lens_before_q && raster_i == raster_before_q &&
-                     counts_i == counts_before_q;
+                     judges_i == judges_before_q;
 
 proof_reset u_proof_reset (.clk_i, .rst_ni);
 
@@ -43,7 +42,7 @@ function automatic logic [2*WindowW-1:0] next_window(input logic [2*WindowW-1:0]
               ? {window[2*WindowW-1:WindowW] + 1'b1, raster_i.windows.first_x}
               : {window[2*WindowW-1:WindowW], window[WindowW-1:0] + 1'b1};
 endfunction
-// Of a place: its first part is 4, and so on; the last part with pixels; none has more than one.
+// Of a place: 0 is its whole window, 4 the first part; the right column, the lower row have pixels; it is the last.
 function automatic logic [2:0] walk_at(input logic [PlaceW-1:0] at);
   walk_at = WalkW == 0 ? 3'd0 : 3'(at >> 2 * WindowW);
 endfunction
@@ -59,24 +58,20 @@ endfunction
 function automatic logic [2:0] next_part(input logic [PlaceW-1:0] at);
   next_part = walk_at(at) == 3'd4 ? (right_at(at) ? 3'd5 : 3'd6) : walk_at(at) == 3'd5 ? 3'd6 : 3'd7;
 endfunction
-// `at` may come behind `earlier`; without one it is the frame's first.
-function automatic logic follows(input logic some, input logic [PlaceW-1:0] earlier, input logic [PlaceW-1:0] at);
-  follows = !some ? at[2*WindowW-1:0] == first_window && (walk_at(at) == 3'd0 || walk_at(at) == 3'd4) :
-            ends_at(earlier) ? at[2*WindowW-1:0] == next_window(earlier[2*WindowW-1:0]) &&
-                               (walk_at(at) == 3'd0 || walk_at(at) == 3'd4) :
-            at[2*WindowW-1:0] == earlier[2*WindowW-1:0] && walk_at(at) == next_part(earlier);
-endfunction
 function automatic logic known(input logic [PlaceW-1:0] at);  // a walk that there is
   known = walk_at(at) == 3'd0 || walk_at(at) == 3'd4 || (walk_at(at) == 3'd5 && right_at(at)) ||
           (walk_at(at) == 3'd6 && lower_at(at)) || (walk_at(at) == 3'd7 && right_at(at) && lower_at(at));
 endfunction
-function automatic logic last_at(input logic [PlaceW-1:0] at);
-  last_at = Whole || (ends_at(at) && at[2*WindowW-1:0] == frame_last);
+// `at` comes behind `earlier`, which was given up or not; without one it is the frame's first.
+function automatic logic follows(input logic some, input logic [PlaceW-1:0] earlier, input logic given,
+                                 input logic [PlaceW-1:0] at);
+  follows = !some ? at[2*WindowW-1:0] == first_window && walk_at(at) == 3'd0 :
+            given ? at[2*WindowW-1:0] == earlier[2*WindowW-1:0] && walk_at(at) == 3'd4 :
+            ends_at(earlier) ? earlier[2*WindowW-1:0] != frame_last && walk_at(at) == 3'd0 &&
+                               at[2*WindowW-1:0] == next_window(earlier[2*WindowW-1:0]) :
+            at[2*WindowW-1:0] == earlier[2*WindowW-1:0] && walk_at(at) == next_part(earlier);
 endfunction
 
-logic real_fill, real_walked, some;
-assign real_fill   = whole || (fill && !count);
-assign real_walked = walked_i && !set_counts_o[walk_q];
 always_comb begin
   for (int unsigned s = 0; s < 2; s += 1) begin
     planes_bit[s] = planes_o[s*PlanesW + 32'(bit_place)];
@@ -93,27 +88,21 @@ always_ff @(posedge clk_i or negedge rst_ni) begin
   if (!rst_ni) begin
     held_q         <= '0;
     to_walk_q      <= '0;
-    left_q         <= 1'b0;
-    fresh_count_q  <= 1'b0;
-    began_q        <= 1'b0;
+    filled_q       <= 1'b0;
     valid_before_q <= '0;
   end else begin
-    held_q         <= held_q + 2'(real_fill) - 2'(release_i);
-    to_walk_q      <= to_walk_q + 2'(real_fill) - 2'(real_walked);
-    left_q         <= start_i || (left_q && !(real_walked && set_last_o[walk_q]));
-    fresh_count_q  <= (fill && count) || (fresh_count_q && !(walked_i && set_counts_o[walk_q]));
-    began_q        <= !start_i && (began_q || real_walked);
+    held_q         <= held_q + 2'(fill) - 2'(release_i);
+    to_walk_q      <= to_walk_q + 2'(fill) - 2'(walked_i);
+    filled_q       <= !start_i && (filled_q || fill);
     valid_before_q <= valid_q;
     if (release_i) valid_before_q[oldest_q] <= 1'b0;
-    if (split) valid_before_q[fill_q] <= 1'b0;
   end
 end
 always_ff @(posedge clk_i) begin
   rotation_before_q <= rotation_i;
   lens_before_q     <= lens_i;
   raster_before_q   <= raster_i;
-  counts_before_q   <= counts_i;
-  if (real_walked) before_q <= place_q[walk_q];
+  judges_before_q   <= judges_i;
   for (int unsigned s = 0; s < 2; s += 1) place_before_q[s] <= place_q[s];
   last_before_q   <= set_last_o;
   ends_before_q   <= set_ends_o;
@@ -121,17 +110,16 @@ always_ff @(posedge clk_i) begin
   region_before_q <= region_now;
 end
 
-assign newest = to_walk_q == 2'd0 ? before_q : place_q[!fill_q];
-assign some   = began_q || to_walk_q != 2'd0;
+assign newest = place_q[!fill_q];
 logic idle;
-assign idle = !left_q && held_q == '0;
+assign idle = !more_q && held_q == '0;
 always_comb begin
   assume ({1'b0, bit_place} < (PlaneBit+1)'(PlanesW));
   assume (!rst_ni || !start_i || idle);
   assume (!rst_ni || idle || frame_stays);
   assume (!rst_ni || !walked_i || set_valid_o[walk_q]);
-  assume (!rst_ni || !release_i || held_q > to_walk_q);
-  assume (!rst_ni || !judged_i || (counts_q && !fresh_count_q));
+  assume (!rst_ni || !release_i || (held_q > to_walk_q && !set_judges_o[oldest_q]));
+  assume (!rst_ni || !judged_i || judges_q);
   if (rst_ni) begin
     assert (held_q <= 2'd2 && to_walk_q <= held_q);
     for (int unsigned s = 0; s < 2; s += 1) begin
@@ -140,39 +128,25 @@ always_comb begin
         assert (set_last_o[s] == last_before_q[s] && set_ends_o[s] == ends_before_q[s]);
         assert (planes_bit[s] == bit_before_q[s]);
       end
-      assert (!set_done_o[s] || (valid_before_q[s] && region_before_q[s]));
+      assert (!set_done_o[s] || set_given_o[s] || (valid_before_q[s] && region_before_q[s]));
+      assert (!set_given_o[s] || (walk_at(place_q[s]) == 3'd0 && !set_judges_o[s]));
     end
-    // what is shown to be walked
-    if (to_walk_q != 2'd0) begin
-      assert (left_q && set_valid_o[walk_q] && !set_counts_o[walk_q]);
-      assert (set_last_o[walk_q] == last_at(place_q[walk_q]) && set_ends_o[walk_q] == ends_at(place_q[walk_q]));
-      if (!Whole) assert (known(place_q[walk_q]) && follows(began_q, before_q, place_q[walk_q]));
-    end else begin
-      assert (set_valid_o == (fresh_count_q ? set_counts_o : 2'b00));
+    // what is filled
+    if (fill) begin
+      assert (!judges_q && more_q && (Whole || (known(place) && follows(filled_q, newest, given_q[!fill_q], place))));
+      assert (ends == ends_at(place) && last == (Whole || place[2*WindowW-1:0] == frame_last));
+      assert (on_trial == (!Whole && WalkW != 0 && judges_i && walk_at(place) == 3'd0));
     end
     // invariants
-    assert (valid_q == ((held_q == 2'd0 ? 2'b00 : held_q == 2'd2 ? 2'b11 : oldest_q ? 2'b10 : 2'b01) | set_counts_o));
-    assert (!counts_q || (held_q != 2'd2 && more_q && !asking_q && counts_i && count));
-    assert (fresh_q == ((to_walk_q == 2'd0 ? 2'b00 : to_walk_q == 2'd2 ? 2'b11 : walk_q ? 2'b10 : 2'b01) |
-                        (fresh_count_q ? set_counts_o : 2'b00)));
-    assert (!fresh_count_q || counts_q);
+    assert (valid_q == (held_q == 2'd0 ? 2'b00 : held_q == 2'd2 ? 2'b11 : oldest_q ? 2'b10 : 2'b01));
+    assert (fresh_q == (to_walk_q == 2'd0 ? 2'b00 : to_walk_q == 2'd2 ? 2'b11 : walk_q ? 2'b10 : 2'b01));
     assert (fill_q == oldest_q ^ held_q[0] && fill_q == walk_q ^ to_walk_q[0]);
     for (int unsigned s = 0; s < 2; s += 1) assert (!valid_before_q[s] || valid_q[s]);
-    assert (asking_q == \u_planes.inside_q && (!asking_q || more_q));
-    assert (left_q == (more_q || to_walk_q != '0));
-    if (Whole) begin
-      assert (to_walk_q <= 2'd1 && (!left_q || more_q == (to_walk_q == 2'd0)));
-      assert (to_walk_q == '0 || (last_q[walk_q] && ends_q[walk_q]));
-    end else begin
-      if (counts_q) assert (place_q[fill_q] == place && ends_q[fill_q] && last_q[fill_q] == last_at(place));
-      assert (more_q ? known(place) && follows(some, newest, place) : walk_at(place) == 3'd0);
-      if (!more_q && to_walk_q != 2'd0) assert (last_q[!fill_q]);
-      if (to_walk_q == 2'd2) begin
-        assert (!last_q[walk_q] && follows(1'b1, place_q[walk_q], place_q[!walk_q]) && known(place_q[!walk_q]));
-        assert (last_q[!walk_q] == last_at(place_q[!walk_q]) && ends_q[!walk_q] == ends_at(place_q[!walk_q]));
-      end
-      if (more_q && to_walk_q != 2'd0) assert (!last_q[!fill_q]);
-      if (more_q && began_q && to_walk_q == 2'd0) assert (!last_at(before_q));
+    assert (asking_q == \u_planes.inside_q && (!asking_q || (more_q && !judges_q)));
+    assert (!judges_q || (held_q != '0 && more_q && filled_q && on_trial && place == newest && !given_q[!fill_q]));
+    if (!Whole) begin
+      assert (more_q || walk_at(place) == 3'd0);
+      if (more_q && !judges_q) assert (known(place) && follows(filled_q, newest, given_q[!fill_q], place));
     end
   end
 end
