@@ -52,10 +52,10 @@ struct Expected {
             for (const Node& node : *level)
               passed += node.count != 0 && dopu_test(world.config, frame, planes, node, near);
           }
-          // those of a walk that is given up
+          nodes_passed += passed;
+          // In the queue beside them, those of a walk that is given up.
           if (frame.walk_most != 0) passed += world.packed.cells.size() + world.packed.groups.size();
           nodes.push_back(passed);
-          nodes_passed += passed;
           windows.push_back(std::move(window));
           at.push_back({x, y, uint64_t{walk == here.back() ? kWindowEnd : kPartEnd}});
           walks.push_back(walk);
