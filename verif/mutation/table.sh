@@ -84,8 +84,8 @@ mutant pu_phases "a new record is let into an output that was not taken" \
        's/(out_free *= )!out_valid_q \|\| out_ready_i/\11/' pu_shape
 mutant pu_cull "rounding of the view coordinates: + half becomes - half" \
        's/\+ (\$signed\(\(SumW \+ 1\).\(1\)\)\) >>> 1)/- \1/'
-mutant pu_cull "a part reaches as far as its window" 's/half6 \? SideW/1'"'"'b0 ? SideW/' pu_cull_tight
-mutant pu_cull "the right part begins where the left one does" 's/ride4.place\[2\*WindowW\];/1'"'"'b0;/' pu_cull_tight
+mutant pu_cull "a part reaches as far as its window" 's/walk6\[2\] \? SideW/1'"'"'b0 ? SideW/' pu_cull_tight
+mutant pu_cull "the right part begins where the left one does" 's/, walk4\[0\], /, 1'"'"'b0, /' pu_cull_tight
 mutant pu_cull "the gap on the low side without what the cut bits of x may hide" \
        's/ - fx - near;/ - fx;/' pu_cull_tight
 mutant pu_reach "the bound of the rounding errors left out" "s/ \+ \(NW-1\)'\(Error\);/;/"

@@ -8,8 +8,7 @@
 //         is still closed, or being opened, can hide a nearer one. When the queue is full a node is not queued but sent
 //         or opened at once: right too, only out of order. Scanning cells, opening cells, opening groups and sending
 //         each go on to the next window when they are through with one, so two windows overlap. What belongs to a done
-//         window is dropped wherever it stands. Of a window on trial (set_judges_i) cells are opened, but no groups: those
-//         that pass are shown and wait.
+//         window is dropped wherever it stands. Of a window on trial (set_judges_i) groups are shown, and wait.
 // Stream  cell in (layer ends are ignored); chunk out: chunks, layer ends with a watermark, the window's end.
 // Pace    Two tests in three cycles; a node that passes costs the queue five.
 // Model   cpp_model/dopu/nearest/dopu_nearest.hpp
@@ -55,7 +54,6 @@ module dopu_nearest #(
   output logic                                  group_valid_o,   // of a set on trial: a group passes, ...
   output logic [pipegs_pkg::CountW-1:0]         group_chunks_o,  // ... its chunks
   output logic                                  counted_o,       // all groups were shown
-
   output logic [1:0]                            bad_o,         // a cell, a group: see pipegs_line_reader
   output logic [2*pipegs_pkg::AddressW-1:0]     bad_line_o,
   output logic                                  testing_o,     // something moves inside
@@ -88,11 +86,9 @@ module dopu_nearest #(
   logic [Levels-1:0] set_q, through, working, level_done;  // the set at work; through: nothing of it is left here
   logic [1:0]        complete_q [Levels];                  // the levels that are through with a set
   logic              cells_in_q;                           // all cells of the window scanned have come
-  logic              judges, held_back;                    // the set of level 1, of level 2 is on trial
-  logic              cell_here, send_set, window_end;
+  logic              cell_here, send_set, window_end, judges, held_back;  // the set of level 1, of level 2 is on trial
 
-  assign judges    = set_judges_i[set_q[1]];
-  assign held_back = set_judges_i[set_q[2]];
+  assign {held_back, judges} = {set_judges_i[set_q[2]], set_judges_i[set_q[1]]};
   assign cell_here = cell_valid_i && cell_set_i == set_q[0] && !cells_in_q && working[0];
 
   always_comb begin
@@ -429,7 +425,6 @@ module dopu_nearest #(
                      through != '0 || window_end;
   assign waiting_o = reading != '0;
 
-  logic unused;
-  assign unused = &{1'b0, held_last[0]};
+  wire unused = &{1'b0, held_last[0]};
 
 endmodule

@@ -67,8 +67,7 @@ module pu_cull (
     end
   end
   pipegs_pkg::fetched_t fetched_q;
-  logic [pipegs_pkg::FetchedBits-1:0] fetched_bits;
-  assign fetched_bits = fetched_q;
+  wire [pipegs_pkg::FetchedBits-1:0] fetched_bits = fetched_q;
   always_ff @(posedge clk_i) if (load[0]) fetched_q <= fetched_i;
 
   // --- what rides along: all of visible_t but the view coordinates, as vectors -------------------------------------
@@ -222,16 +221,11 @@ module pu_cull (
     // -ceil(center) = floor(-center).
     edge_of = first + EdgeW'((-wide) >>> CenterCut);
   endfunction
-  // Of one part the walk has half a window's side, behind the other half or not.
-  logic                       behind_x4, behind_y4, half6;
+  logic [2:0] walk4, walk6;  // of one part, half a window's side long: 1, its row, its column
   if (pipegs_pkg::HasWalks) begin : gen_walk
-    assign behind_x4 = ride4.place[2*WindowW];
-    assign behind_y4 = ride4.place[2*WindowW+1];
-    assign half6     = ride6.place[PlaceW-1];
+    assign {walk4, walk6} = {ride4.place[PlaceW-1 -: 3], ride6.place[PlaceW-1 -: 3]};
   end else begin : gen_whole
-    assign behind_x4 = 1'b0;
-    assign behind_y4 = 1'b0;
-    assign half6     = 1'b0;
+    assign {walk4, walk6} = '0;
   end
   logic signed [EdgeW-1:0]    edge_x5_q, edge_y5_q, edge_x6_q, edge_y6_q;
   logic                       front7;
@@ -253,8 +247,8 @@ module pu_cull (
     if (load[5]) begin
       {x5_q, y5_q, z5_q, s5_q, huge5_q} <= {x4_q, y4_q, z4_q, s4_q, huge4_q};
       cut5_q    <= shift < NoCut ? NoCut - shift : '0;
-      edge_x5_q <= edge_of(ride4.place[0 +: WindowW], behind_x4, lens_i.center_x);
-      edge_y5_q <= edge_of(ride4.place[WindowW +: WindowW], behind_y4, lens_i.center_y);
+      edge_x5_q <= edge_of(ride4.place[0 +: WindowW], walk4[0], lens_i.center_x);
+      edge_y5_q <= edge_of(ride4.place[WindowW +: WindowW], walk4[1], lens_i.center_y);
     end
   end
 
@@ -355,8 +349,8 @@ module pu_cull (
   end else begin : gen_window
     logic signed [SideW-1:0] span7_q, less6;  // the walk's side times z, and what a part's is less
     logic signed [EdgeW-1:0] span6;
-    assign less6   = half6 ? SideW'(cz6_q) <<< HalfF : '0;
-    assign span6   = EdgeW'(Span) - (half6 ? EdgeW'(64'd1 << HalfF) : '0);
+    assign less6   = walk6[2] ? SideW'(cz6_q) <<< HalfF : '0;
+    assign span6   = EdgeW'(Span) - (walk6[2] ? EdgeW'(64'd1 << HalfF) : '0);
     always_ff @(posedge clk_i) if (load[7]) span7_q <= SideW'(Span) * SideW'(cz6_q) - less6;
     assign last_x6 = edge_x6_q + span6;
     assign last_y6 = edge_y6_q + span6;
@@ -415,7 +409,7 @@ module pu_cull (
   end
 
   // Of the normalised sizes only the shift is used.
-  wire unused_bits = &{1'b0, lens_i, windows_i, normal, ride1, ride2, ride3, ride4, ride6, half6, fetched_bits,
+  wire unused_bits = &{1'b0, lens_i, windows_i, normal, ride1, ride2, ride3, ride4, ride6, walk4, walk6, fetched_bits,
                        s4_q[ViewW-1], size3[HighW-1:ViewW]};
 
 `ifndef SYNTHESIS

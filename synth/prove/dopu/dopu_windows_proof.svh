@@ -145,6 +145,10 @@ always_comb begin
     assert (asking_q == \u_planes.inside_q && (!asking_q || (more_q && !judges_q)));
     assert (!judges_q || (held_q != '0 && more_q && filled_q && on_trial && place == newest && !given_q[!fill_q]));
     if (!Whole) begin
+      for (int unsigned s = 0; s < 2; s += 1) begin
+        assert (!valid_q[s] || (known(place_q[s]) && ends_q[s] == ends_at(place_q[s])));
+      end
+      assert (!more_q || !filled_q || known(newest));
       assert (more_q || walk_at(place) == 3'd0);
       if (more_q && !judges_q) assert (known(place) && follows(filled_q, newest, given_q[!fill_q], place));
     end
