@@ -3,11 +3,11 @@
 //
 // Idea    One request is chosen at a time and stays until the memory takes it. A read is only asked for when the
 //         store has room for its answer, counted from the request to the moment the line is used; a queue beside the
-//         store says whose line each one is. At most one overflowed layer lives. Of the unit's share one area has
-//         records, one the list of keys and every other level of runs, one the other runs (area_place). A line that
-//         its area does not hold is not asked for, nor is any behind it (full_o); the last number of all has no place,
-//         so that a count that wraps is seen. No line is written while a read of a record is unanswered: a set that
-//         begins to spill writes where the one before it is still read, and memory keeps no order between the two.
+//         store says whose line each one is. At most one overflowed set lives. Of the unit's share one area has
+//         records, one the list of keys, two the runs of every other level (area_place). A line that its area does not
+//         hold is not asked for, nor is any behind it (full_o); the last number of all has no place, so that a count
+//         that wraps is seen. No line is written while a read of a record is unanswered: a set that begins to spill
+//         writes where the one before it is still read, and memory keeps no order between the two.
 // Stream  record, keys, run: lines to write. fetch: the number of a line of keys; read: of a record. line: the lines
 //         read, in order; line_fetch_o: it is one of keys, for line_way_o.
 // Pace    One request in two cycles, up to Answers reads in flight.
@@ -32,13 +32,14 @@ module su_port #(
 
   input  logic                              run_valid_i,
   output logic                              run_ready_o,
-  input  logic                              run_area_i,   // 1: AreaRuns, 0: AreaKeys
+  input  logic                              run_area_i,   // 1: AreaRuns, 0: AreaMerged
   input  logic [pipegs_pkg::SlotW-1:0]      run_line_i,
   input  logic [pipegs_pkg::MemoryW-1:0]    run_i,
 
   input  logic                              fetch_valid_i,
   output logic                              fetch_ready_o,
-  input  logic                              fetch_area_i,  // as run_area_i
+  input  logic                              fetch_list_i,  // of AreaKeys; else ...
+  input  logic                              fetch_area_i,  // ... as run_area_i
   input  logic [pipegs_pkg::SlotW-1:0]      fetch_line_i,
   input  logic [WayW-1:0]                   fetch_way_i,
   input  logic                              read_valid_i,
@@ -105,8 +106,9 @@ module su_port #(
     endcase
     unique case (choice_d)
       Keys:    area = pipegs_pkg::AreaKeys;
-      Run:     area = run_area_i ? pipegs_pkg::AreaRuns : pipegs_pkg::AreaKeys;
-      Fetch:   area = fetch_area_i ? pipegs_pkg::AreaRuns : pipegs_pkg::AreaKeys;
+      Run:     area = run_area_i ? pipegs_pkg::AreaRuns : pipegs_pkg::AreaMerged;
+      Fetch:   area = fetch_list_i ? pipegs_pkg::AreaKeys :
+                      fetch_area_i ? pipegs_pkg::AreaRuns : pipegs_pkg::AreaMerged;
       default: area = pipegs_pkg::AreaRecords;
     endcase
   end

@@ -120,7 +120,7 @@ TEST(Su, StopsWhenAnAreaIsFull) {
       EXPECT_EQ(bench.dut.mem_valid_o, 0);
       const uint64_t line = bench.dut.full_line_o;
       bool at_end = false;
-      for (const Area area : {Area::kKeys, Area::kRuns, Area::kRecords})
+      for (const Area area : {Area::kKeys, Area::kMerged, Area::kRuns, Area::kRecords})
         at_end |= line == first(area) + area_lines(kConfig, lines, area);
       EXPECT_TRUE(at_end) << "line " << line << " of " << lines;
       continue;
