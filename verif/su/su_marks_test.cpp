@@ -102,8 +102,8 @@ TEST(SuMarks, FreesSlotsOfReleasedRecordsWithinAWindow) {
   EXPECT_EQ(bench.overflowed, 0u);
 }
 
-// A bucket holds more than the pool: the mark behind it ends the spill. What is left returns to the pool, and what comes
-// later stays in it, or it goes on in memory if it is more than half a pool.
+// A bucket holds more than the pool: the mark behind it ends the spill. What is left returns to the pool, and what
+// comes later stays in it, or it goes on in memory if it is more than half a pool.
 TEST(SuMarks, ASpillEndsWithTheNextMark) {
   const auto records = static_cast<uint64_t>(kConfig.records);
   for (const uint64_t left : {uint64_t{0}, uint64_t{1}, records / 2, records / 2 + 1, 3 * records}) {

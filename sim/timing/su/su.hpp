@@ -255,7 +255,7 @@ class Su {
   std::vector<Sorted> records_out_;  // records of the set in memory
   bool back_held_ = false;           // the record shown is one out of the pool, and was in the cycle before
   bool keys_sent_ = false;           // the line of keys that the shown record completes, or the last one, is written
-  Sorted diverted_record_;           // at the output, when it goes to memory or into the pool
+  Sorted diverted_record_;           // of the output, that goes to memory or into the pool
 
   // su_external
   External external_;
@@ -276,8 +276,8 @@ class Su {
 
 // What the parts say in a cycle, from the registers as it began.
 struct Su::Now {
-  bool item, outer, item_end, split_idle, bitonic_idle, emit_empty, drained, spilled, sends, outside, kept, diverts, spill_job;
-  bool mark_waits, mark_first, mark_all, emit_item, emit_ready, item_goes;
+  bool item, outer, item_end, split_idle, bitonic_idle, emit_empty, drained, spilled, sends, outside, kept, diverts;
+  bool spill_job, mark_waits, mark_first, mark_all, emit_item, emit_ready, item_goes;
   bool chain, chain_end, batch_ready, batch_valid;
   bool hungry, link_ready, released_room, sent_all;
   uint8_t mark_set;

@@ -51,7 +51,8 @@ void Su::port(Machine& m, Cycle now) {
     m.memory.ask(port_, overflow_line(m, Area::kKeys, records / kKeysPerLine), true);
   } else if (e.lines_full && writes) {
     choice_ = kRun;
-    m.memory.ask(port_, overflow_line(m, e.level == kForm || !e.area ? Area::kRuns : Area::kMerged, e.lines_number), true);
+    const Area area = e.level == kForm || !e.area ? Area::kRuns : Area::kMerged;
+    m.memory.ask(port_, overflow_line(m, area, e.lines_number), true);
   } else if (flight_ != kAnswers && fetches(now)) {
     choice_ = kFetch;
     const Way& way = e.ways[static_cast<size_t>(e.asked_way)];

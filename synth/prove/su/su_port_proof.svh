@@ -57,11 +57,12 @@ always_comb begin
   if (rst_ni) begin
     assert (!mem_valid_o || at < pipegs_pkg::area_lines(overflow_i.lines, area_q));
     assert (!mem_valid_o || (at == AddressW'(line_q) && line_q != '1));
-    assert (choice_q == None || area_q == pipegs_pkg::AreaKeys || area_q == pipegs_pkg::AreaRuns ||
-            area_q == pipegs_pkg::AreaRecords);
+    assert (choice_q == None || area_q == pipegs_pkg::AreaKeys || area_q == pipegs_pkg::AreaMerged ||
+            area_q == pipegs_pkg::AreaRuns || area_q == pipegs_pkg::AreaRecords);
     assert ((choice_q != Record && choice_q != Read) || area_q == pipegs_pkg::AreaRecords);
     assert (choice_q != Keys || area_q == pipegs_pkg::AreaKeys);
-    assert ((choice_q != Run && choice_q != Fetch) || area_q != pipegs_pkg::AreaRecords);
+    assert (choice_q != Run || area_q == pipegs_pkg::AreaMerged || area_q == pipegs_pkg::AreaRuns);
+    assert (choice_q != Fetch || area_q != pipegs_pkg::AreaRecords);
     assert (share_q == overflow_i.first + pipegs_pkg::area_first(overflow_i.lines, unit_i, pipegs_pkg::AreaKeys));
     assert (!mem_valid_o || !mem_write_o || records_q == '0);
     assert (flight_q <= FlightW'(Answers));
