@@ -4,9 +4,9 @@
 // Paper   None.
 // Idea    The watermark is the nearest bucket of all that can still come: chunks that wait, and what is not opened yet.
 //         A chunk is due when it lies in that bucket. A watermark is sent when it has risen and MarkChunks chunks have
-//         gone since the last one. With everything opened and no chunk left, the window ends, and the other set's turn
-//         begins. When the queue is full a chunk that finds no place goes ahead of its turn, or a nearer one that waits
-//         does.
+//         gone since the last one, twice as many after every eight watermarks of a window. With everything opened and
+//         no chunk left, the window ends, and the other set's turn begins. When the queue is full a chunk that finds no
+//         place goes ahead of its turn, or a nearer one that waits does.
 // Stream  first: the nearest waiting chunks of both sets; pop asks for one of the set sent, popped brings it. direct: a
 //         chunk that found no place. out: chunk, LayerEnd with its watermark, WindowEnd.
 // Pace    One chunk in five cycles.
@@ -50,7 +50,8 @@ module dopu_send #(
 );
 
   localparam int unsigned MarkChunks = pipegs_pkg::MarkChunks;
-  localparam int unsigned SinceW = $clog2(MarkChunks + 1);
+  localparam int unsigned MarksW = $clog2(pipegs_pkg::WindowMarks + 1);
+  localparam int unsigned SinceW = $clog2(MarkChunks + 1) + pipegs_pkg::WindowMarks / 8;
 
   logic                         set_q, popping_q, valid_q, chunk_set_q;
   logic                         shown_q;  // the output was shown and not taken: it stays, even if its window is done
@@ -58,12 +59,14 @@ module dopu_send #(
   logic [DataW-1:0]             data_q;
   logic [SinceW-1:0]            since_q;  // chunks since the last watermark
   logic [BucketW-1:0]           mark_q;   // the last watermark of the window
+  logic [MarksW-1:0]            marks_q;  // watermarks of the window so far
 
   logic               done, has_first, idle, end_due, mark_due, chunk_due, dropped, load_popped, load_direct;
   logic               is_lowest;  // nothing unopened is nearer than the nearest chunk
   logic               risen;      // all that can still come lies behind the last watermark
   logic [BucketW-1:0] first, lowest, bucket;
   logic [StepW-1:0]   step;
+  logic [SinceW-1:0]  apart;  // chunks between watermarks: twice as many after every eight of them
 
   assign done      = set_done_i[set_q];
   assign has_first = first_valid_i[set_q];
@@ -85,7 +88,9 @@ module dopu_send #(
     if (has_first && first < lowest) lowest = first;
   end
   assign end_due   = idle && opened_i && !has_first;
-  assign mark_due  = idle && !done && !end_due && since_q >= SinceW'(MarkChunks) && risen;
+  assign apart     = SinceW'(MarkChunks) << marks_q[MarksW-1:3];
+  assign mark_due  = idle && !done && !end_due && since_q >= apart && risen &&
+                     marks_q != MarksW'(pipegs_pkg::WindowMarks);
   // What waits behind a full queue lets the nearest chunk go early when that one is nearer.
   assign chunk_due = is_lowest || (direct_valid_i && first <= direct_bucket_i);
   assign pop_o     = has_first && (done ? !popping_q : idle && !mark_due && chunk_due);
@@ -103,6 +108,7 @@ module dopu_send #(
       shown_q   <= 1'b0;
       since_q   <= '0;
       mark_q    <= '0;
+      marks_q   <= '0;
     end else begin
       if (popped_i) popping_q <= 1'b0;
       else if (pop_o && pop_ready_i) popping_q <= 1'b1;
@@ -113,6 +119,8 @@ module dopu_send #(
       else if ((load_popped || load_direct) && since_q != '1) since_q <= since_q + 1'b1;
       if (end_due) mark_q <= '0;
       else if (mark_due) mark_q <= lowest;
+      if (end_due) marks_q <= '0;
+      else if (mark_due) marks_q <= marks_q + 1'b1;
       if (end_due) set_q <= !set_q;
     end
   end

@@ -100,11 +100,19 @@ module su_collect (
   end
 
 `ifndef SYNTHESIS
-  logic [pipegs_pkg::BucketW-1:0] mark_q;  // the present walk's last watermark
+  // Watermarks of the present window so far; the queue of marks holds those of two windows.
+  logic [$clog2(pipegs_pkg::WindowMarks+1)-1:0] marks_q;
+  logic [pipegs_pkg::BucketW-1:0] mark_q;
   always_ff @(posedge clk_i or negedge rst_ni) begin
-    if (!rst_ni) mark_q <= '0;
-    else if (take && !data) mark_q <= mark_all_o ? '0 : in_bucket_i;
+    if (!rst_ni) begin
+      marks_q <= '0;
+      mark_q  <= '0;
+    end else if (take && !data) begin
+      marks_q <= mark_all_o ? '0 : marks_q + 1'b1;
+      mark_q  <= mark_all_o ? '0 : in_bucket_i;
+    end
   end
+  always_ff @(posedge clk_i) if (rst_ni) assert (!(take && !data && !mark_all_o) || marks_q != '1);
   always_ff @(posedge clk_i) if (rst_ni) assert (!(take && data) || in_bucket_i >= mark_q);
   always_ff @(posedge clk_i) if (rst_ni) assert (pipegs_pkg::Overflow != 0 || !lost)
     else $error("su_collect: the records of a set do not fit, and Overflow is 0");

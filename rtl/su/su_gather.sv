@@ -166,4 +166,8 @@ module su_gather #(
 
   assign moves_o = collect_active || pool_active || release_moves;
 
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i) if (rst_ni) assert (!mark_push || mark_room || !pipegs_pkg::HasWatermarks);
+`endif
+
 endmodule

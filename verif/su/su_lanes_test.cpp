@@ -210,7 +210,7 @@ TEST(SuLanes, NeverWaitForEachOtherForEver) {
     const size_t most = static_cast<size_t>(kConfig.records) * (1 + n % 4) * (1 + n % 3);
     for (int i = 0; i < 5; ++i) {
       bench.window(bench.rng() % most,
-                   bench.rng() % 3 ? static_cast<int>(bench.rng() % 200) : 0,
+                   bench.rng() % 3 ? static_cast<int>(bench.rng() % (Config::window_marks() + 1)) : 0,
                    static_cast<int>(n + static_cast<uint64_t>(i) / 3) % 6);
     }
     bench.run();

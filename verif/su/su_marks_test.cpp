@@ -43,7 +43,7 @@ TEST(SuMarks, SortsWindowsAtEveryPace) {
         const size_t most = round % 2 ? kConfig.records * 2 : kConfig.records / 2;
         for (int i = 0; i < 6; ++i)
           bench.window(rng() % std::min<size_t>(most, 700),
-                       rng() % 4 ? static_cast<int>(rng() % 200) : 0);
+                       rng() % 4 ? static_cast<int>(rng() % (Config::window_marks() + 1)) : 0);
         bench.check(1000000);
         overflowed += bench.overflowed;
         if (testing::Test::HasFailure()) return;

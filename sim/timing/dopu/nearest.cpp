@@ -22,7 +22,7 @@ struct Nearest::Said {
 Nearest::Nearest(const TimingTrace& trace, const Config& config)
     : trace_(trace),
       mark_chunks_(static_cast<uint32_t>(config.mark_chunks)),
-      since_most_((uint32_t{1} << clog2(config.mark_chunks + 1)) - 1),
+      since_most_((uint32_t{1} << (clog2(config.mark_chunks + 1) + (Config::window_marks() >> 3))) - 1),
       near_step_(dopu_depth_near(trace.config, trace.frame)),
       mark_shift_(config.depth_w - config.step_w()),
       queue_(std::make_unique<NearestQueue>(config.nearest_nodes)),
@@ -117,7 +117,8 @@ Nearest::Said Nearest::look(const DopuCycle& cycle, const DopuSets& sets) {
   is.lowest = opened ? none_ : unopened;
   if (has_first) is.lowest = std::min(is.lowest, first_send);
   is.end_due = idle_send && opened && !has_first;
-  is.mark_due = idle_send && !is.done && !is.end_due && since_ >= mark_chunks_ && is.lowest > mark_;
+  is.mark_due = idle_send && !is.done && !is.end_due && since_ >= mark_chunks_ << (marks_ >> 3) &&
+                marks_ != Config::window_marks() && is.lowest > mark_;
   const bool direct_chunk = is.full && idle && is.live[2] && set2 == send_set_;
   const bool chunk_due = first_send == is.lowest || (direct_chunk && first_send <= held_[2].front().node.bucket);
   is.pop_send = has_first && (is.done ? !popping_ : idle_send && !is.mark_due && chunk_due);
@@ -276,11 +277,11 @@ bool Nearest::send(const DopuCycle& cycle, const DopuSets& sets, const Said& is)
   if (is.end_due) {
     out_.end = kWindowEndBeat;
     out_.last = sets[out_.set].last;
-    since_ = 0, mark_ = 0;
+    since_ = 0, mark_ = 0, marks_ = 0;
   } else if (is.mark_due) {
     out_.end = kLayerEndBeat;
     out_.mark = static_cast<uint32_t>(near_step_ + is.lowest) << mark_shift_;
-    since_ = 0, mark_ = is.lowest;
+    since_ = 0, mark_ = is.lowest, ++marks_;
   } else {
     const uint32_t number = is.load_popped ? queue_->node().number : held_[2].front().node.number;
     out_.chunk = &trace_.chunks_sent[number];

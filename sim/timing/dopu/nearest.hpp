@@ -87,7 +87,7 @@ class Nearest {
   bool shown_ = false;  // in the cycle before: it stays until taken
   DopuItem out_;
   uint32_t since_ = 0;
-  int mark_ = 0;
+  int mark_ = 0, marks_ = 0;
 };
 
 }  // namespace pipegs::timing
