@@ -189,8 +189,8 @@ module su_runs (
     end
   end
 
-  logic unused_line;  // a list's key has a part of 64 bits
-  assign unused_line = &{1'b0, line_i, open_i};
+  logic unused_line;  // a list's key has a part of 64 bits; a mark's kind
+  assign unused_line = &{1'b0, line_i, open_i, mark_i};
 
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni) assert (!(start_i || again_i) || state_q == Load);
