@@ -131,11 +131,11 @@ TEST(SuMarks, ASpillEndsWithTheNextMark) {
   }
 }
 
-// Whatever the marks do, a record goes to memory twice at most, and a mark reads the list once. Rounds of two buckets
-// each: all come before the first mark; or most of what came is left in memory at each mark; or half a pool returns.
+// Whatever the marks do, twice as many records are written at most, and a mark reads the list once. Rounds of two
+// buckets each: all come before the first mark, or most is left in memory at each mark, or half a pool returns.
 enum class Rounds { kAtOnce, kStay, kReturn };
 
-TEST(SuMarks, MovesRecordsTwiceAtMost) {
+TEST(SuMarks, WritesAtMostTwiceAsManyRecordsAsCome) {
   const auto records = static_cast<uint64_t>(kConfig.records), last = records > 100 ? uint64_t{10} : uint64_t{26};
   for (const Rounds rounds : {Rounds::kAtOnce, Rounds::kStay, Rounds::kReturn}) {
     MarksBench bench(Pace::kAlways, Pace::kAlways, true);
