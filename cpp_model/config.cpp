@@ -62,6 +62,7 @@ void config_check(const Config& config) {
                                     {"fronts", config.fronts},
                                     {"window", config.window},
                                     {"pixel_w", config.pixel_w},
+                                    {"pace", config.pace},
                                     {"chunk", config.chunk},
                                     {"grid", config.grid},
                                     {"nearest_nodes", config.nearest_nodes}}) {
