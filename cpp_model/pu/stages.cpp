@@ -33,15 +33,21 @@ std::vector<PuStage> pu_stages(const Config& c) {
   };
 }
 
-int pu_places(const Config& c, std::string_view first, std::string_view last) {
-  int places = 0;
-  bool within = false;
+std::vector<PuStage> pu_built(const Config& c, std::string_view first, std::string_view last) {
+  std::vector<PuStage> built;
+  bool within = false, ended = false;
   for (const PuStage& stage : pu_stages(c)) {
     within = within || stage.name == first;
-    if (!stage.built || !within) continue;
-    places += stage.places;
-    if (stage.name == last) break;
+    if (ended && stage.name != last) break;
+    ended = stage.name == last;
+    if (within && stage.built) built.push_back(stage);
   }
+  return built;
+}
+
+int pu_places(const Config& c, std::string_view first, std::string_view last) {
+  int places = 0;
+  for (const PuStage& stage : pu_built(c, first, last)) places += stage.places;
   return places;
 }
 

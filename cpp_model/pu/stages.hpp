@@ -30,7 +30,9 @@ struct PuStage {
 // In the order of the chain. A stage that is built in one of two ways has two rows.
 std::vector<PuStage> pu_stages(const Config& c);
 
-// Gaussians in the stages from one of them to another one, or to the last.
+// Those that are built, from one of them to another one.
+std::vector<PuStage> pu_built(const Config& c, std::string_view first, std::string_view last);
+// Gaussians in these at most.
 int pu_places(const Config& c, std::string_view first, std::string_view last);
 
 }  // namespace pipegs

@@ -306,17 +306,31 @@ module pu_shape (
     assign busy[Compensate]  = 1'b0;
   end
 
-  pu_conic u_conic (
-    .clk_i,
-    .rst_ni,
-    .covariance_valid_i(valid[Compensate]),
-    .covariance_ready_o(ready[Compensate]),
-    .covariance_i(compensated),
-    .conic_valid_o(valid[Conic]),
-    .conic_ready_i(ready[Conic]),
-    .conic_o,
-    .busy_o(busy[Conic])
-  );
+  if (pipegs_pkg::Pace == 4) begin : gen_four_conic
+    pu_four_conic u_conic (
+      .clk_i,
+      .rst_ni,
+      .covariance_valid_i(valid[Compensate]),
+      .covariance_ready_o(ready[Compensate]),
+      .covariance_i(compensated),
+      .conic_valid_o(valid[Conic]),
+      .conic_ready_i(ready[Conic]),
+      .conic_o,
+      .busy_o(busy[Conic])
+    );
+  end else begin : gen_conic
+    pu_conic u_conic (
+      .clk_i,
+      .rst_ni,
+      .covariance_valid_i(valid[Compensate]),
+      .covariance_ready_o(ready[Compensate]),
+      .covariance_i(compensated),
+      .conic_valid_o(valid[Conic]),
+      .conic_ready_i(ready[Conic]),
+      .conic_o,
+      .busy_o(busy[Conic])
+    );
+  end
 
   logic unused;  // of the tables only the flag, with Antialias
   assign unused = &{1'b0, tables_i, center_room, center_held, center_count};

@@ -62,6 +62,7 @@ module pu_four_conic (
   typedef struct packed {
     logic [pipegs_pkg::KindW-1:0]        kind;
     logic                                swap;
+    logic                                second;  // which set of roots
     logic signed [pipegs_pkg::MeanW-1:0] mean_x;
     logic signed [pipegs_pkg::MeanW-1:0] mean_y;
     logic [OpacityW-1:0]                 opacity;
@@ -150,6 +151,7 @@ module pu_four_conic (
   logic signed [LeftW-1:0]     left;
   logic signed [RightW-1:0]    right;
   logic signed [ProductW-1:0]  product_q;
+  logic [MantissaW-1:0]        turned;        // to be multiplied by k
   logic [2*MantissaW-1:0]      constant_q;
 
   always_comb begin
@@ -165,13 +167,14 @@ module pu_four_conic (
       default: ;
     endcase
   end
+  assign turned = turn_q[1] ? inverse_det : inverse;
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) turn_q <= '0;
     else if (step) for (int unsigned i = 0; i < 4; i += 1) turn_q[i] <= slots[1] == 4'(8 + i);
   end
   always_ff @(posedge clk_i) if (step) begin
     product_q  <= ProductW'(left) * ProductW'(right);
-    constant_q <= (2 * MantissaW)'(turn_q[1] ? inverse_det : inverse) * (2 * MantissaW)'(K);
+    constant_q <= (2 * MantissaW)'(turned) * (2 * MantissaW)'(K);
   end
 
   // A product of two normalised mantissas: MantissaW leading bits, to nearest, and what its exponent gains.
@@ -231,6 +234,68 @@ module pu_four_conic (
     end
   end
 
-  // --- the box: that of alpha >= 1/AlphaCut, or around the oriented one, which came with the covariance -----------
+  // --- the box of alpha >= 1/AlphaCut --------------------------------------------------------------------------------
   logic [ExtentW-1:0] extent_x, extent_y;
-  assign t = t_value;
+  pu_four_extent u_extent (
+    .clk_i,
+    .step_i(step),
+    .phase_i(phase[1:0]),
+    .opacity_i(in_q.opacity),
+    .t_o(t),
+    .load_i(cycle[5:4]),
+    .load_set_i(ride_4_q.second),
+    .product_i(product_q[MantissaW+OpacityW-1:0]),
+    .less_e_i(front_q.less_e),
+    .more_e_i(front_q.more_e),
+    .give_i(cycle[13:12]),
+    .give_set_i(ride_12_q.second),
+    .swap_i(ride_12_q.swap),
+    .extent_x_o(extent_x),
+    .extent_y_o(extent_y)
+  );
+
+  // --- what is kept, what leaves -----------------------------------------------------------------------------------
+  logic second_set_q;  // of roots
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) second_set_q <= 1'b0;
+    else if (step && phase[3]) second_set_q <= !second_set_q;
+  end
+
+  assign conic_o = conic_q;
+  always_ff @(posedge clk_i) begin
+    if (take) in_q <= covariance_i;
+    if (step) begin
+      if (phase[3]) begin
+        front_q  <= '{b_m: in_q.b_m, b_e: in_q.b_e, more_m: more_m, more_e: more_e, less_e: less_e, det_e: in_q.det_e};
+        ride_4_q <= '{kind: in_q.kind, swap: swap, second: second_set_q, mean_x: in_q.mean_x, mean_y: in_q.mean_y,
+                      opacity: in_q.opacity};
+      end
+      if (cycle[7]) ride_8_q <= ride_4_q;
+      if (cycle[8]) begin
+        known_9_q <= '{wide_m: wide_m_q, wide_e: wide_e_q, narrow_m: narrow_m_q, narrow_e: narrow_e_q, slope: slope_q};
+      end
+      if (cycle[11]) ride_12_q <= ride_8_q;
+      if (cycle[12]) known_13_q <= known_9_q;
+    end
+    if (claim) begin
+      conic_q      <= '0;
+      conic_q.kind <= ride_12_q.kind;
+      if (ride_12_q.kind == pipegs_pkg::KindData) begin
+        conic_q.extent_x <= extent_x;
+        conic_q.extent_y <= extent_y;
+        conic_q.slope_m  <= known_13_q.slope;
+        conic_q.narrow_m <= known_13_q.narrow_m;
+        conic_q.narrow_e <= known_13_q.narrow_e;
+        conic_q.wide_m   <= known_13_q.wide_m;
+        conic_q.wide_e   <= known_13_q.wide_e;
+        conic_q.mean_x   <= ride_12_q.mean_x;
+        conic_q.mean_y   <= ride_12_q.mean_y;
+        conic_q.swap     <= ride_12_q.swap;
+        conic_q.opacity  <= ride_12_q.opacity;
+      end
+    end
+  end
+
+  wire unused_bits = &{1'b0, phase, slots, cycle, in_q};  // with Antialias sharp has served already
+
+endmodule

@@ -231,6 +231,6 @@ module pu_four_covariance (
   end
 
   // Valid is only looked at beside results; bits below a mantissa and copies of the sign are cut.
-  wire unused_bits = &{1'b0, phase, slots, product_q[ProductW-1:TopW+1], product_q[CutB-2:0]};
+  wire unused_bits = &{1'b0, phase, first, slots, product_q[ProductW-1:TopW+1], product_q[CutB-2:0]};
 
 endmodule

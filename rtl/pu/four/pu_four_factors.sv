@@ -271,6 +271,6 @@ module pu_four_factors (
     end
   end
 
-  wire unused_bits = &{1'b0, phase, next_valid};  // the phase is only looked at beside products that count
+  wire unused_bits = &{1'b0, phase, next_valid, pair, square};  // the phase is only looked at beside products that count
 
 endmodule

@@ -215,6 +215,6 @@ module pu_four_orient (
   end
 
   // The phase is only looked at beside products that count.
-  wire unused_bits = &{1'b0, phase, slots, behind_q};
+  wire unused_bits = &{1'b0, phase, turn_q, slots, behind_q};
 
 endmodule

@@ -328,6 +328,6 @@ module pu_four_project (
   end
 
   // Bits that a narrowing cuts, and what of the lens does not matter here.
-  wire unused_bits = &{1'b0, phase, slots, lens_i, product_q, ratio[ViewW], below, component, component_y};
+  wire unused_bits = &{1'b0, phase, first, slots, lens_i, product_q, ratio[ViewW], below, component, component_y};
 
 endmodule

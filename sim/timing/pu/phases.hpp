@@ -24,11 +24,10 @@ namespace pipegs::timing {
 
 class Phases {
  public:
-  explicit Phases(const Config& config) {
-    const std::vector<PuStage> table = pu_stages(config);
+  // Some stages of a table, in the order of the chain.
+  explicit Phases(const std::vector<PuStage>& table) {
     for (size_t i = table.size(); i-- > 0;) {
       const PuStage& row = table[i];
-      if (!row.built) continue;
       Stage& stage = stages_[static_cast<size_t>(count_++)];
       stage.begin = row.begin, stage.free = row.free, stage.length = row.result;
     }
