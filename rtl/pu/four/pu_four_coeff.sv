@@ -78,7 +78,7 @@ module pu_four_coeff (
 
   logic                  take, claim, step;
   logic [3:0]            phase;
-  logic [Depth-1:0][3:0] slots;
+  logic [4*Depth-1:0]    slots;
   pipegs_pkg::conic_t    in_q;
   behind_t               behind_q;
 
@@ -104,12 +104,12 @@ module pu_four_coeff (
   // A record's cycle from 4 on: its last phase is so many levels away.
   logic [8:4] cycle;
   for (genvar i = 4; i <= 8; i += 1) begin : gen_cycle
-    assign cycle[i] = slots[i-4] == 4'b1011;
+    assign cycle[i] = slots[4*(i-4)+:4] == 4'b1011;
   end
   logic [3:0] turn_q;  // cycles 2 to 5
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) turn_q <= '0;
-    else if (step) for (int unsigned i = 0; i < 4; i += 1) turn_q[i] <= slots[0] == 4'(8 + i);
+    else if (step) for (int unsigned i = 0; i < 4; i += 1) turn_q[i] <= slots[0+:4] == 4'(8 + i);
   end
 
   // --- the two numbers that need their leading bits: mean_q and w --------------------------------------------------
@@ -275,9 +275,14 @@ module pu_four_coeff (
     if (take) in_q <= conic_i;
     if (step) begin
       if (phase[3]) begin
-        behind_q <= '{kind: in_q.kind, swap: in_q.swap, mean_x: in_q.mean_x, mean_y: in_q.mean_y,
-                      extent_x: in_q.extent_x, extent_y: in_q.extent_y, opacity: in_q.opacity,
-                      narrow_e: in_q.narrow_e};
+        behind_q.kind     <= in_q.kind;
+        behind_q.swap     <= in_q.swap;
+        behind_q.mean_x   <= in_q.mean_x;
+        behind_q.mean_y   <= in_q.mean_y;
+        behind_q.extent_x <= in_q.extent_x;
+        behind_q.extent_y <= in_q.extent_y;
+        behind_q.opacity  <= in_q.opacity;
+        behind_q.narrow_e <= in_q.narrow_e;
         d_early_q    <= $signed(DefW'(0) - DefW'(flat_q));
         c_early_q    <= SumBcW'(first_aligned) + $signed(SumBcW'(first_up));
         dead_early_q <= !first_fits_bc || !fits_flat || in_q.opacity >= OpacityW'(pipegs_pkg::CutBudget);

@@ -78,7 +78,7 @@ module pu_four_conic (
 
   logic                    take, claim, step, held;
   logic [3:0]              phase;
-  logic [Depth-1:0][3:0]   slots;
+  logic [4*Depth-1:0]      slots;
   pipegs_pkg::covariance_t in_q;
   front_t                  front_q;
   ride_t                   ride_4_q, ride_8_q, ride_12_q;  // from these cycles on
@@ -107,7 +107,7 @@ module pu_four_conic (
   // A record's cycle from 4 on: its last phase is so many levels away.
   logic [14:4] cycle;
   for (genvar i = 4; i <= 14; i += 1) begin : gen_cycle
-    assign cycle[i] = slots[i-4] == 4'b1011;
+    assign cycle[i] = slots[4*(i-4)+:4] == 4'b1011;
   end
 
   // --- which variance is the larger one ----------------------------------------------------------------------------
@@ -170,7 +170,7 @@ module pu_four_conic (
   assign turned = turn_q[1] ? inverse_det : inverse;
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) turn_q <= '0;
-    else if (step) for (int unsigned i = 0; i < 4; i += 1) turn_q[i] <= slots[1] == 4'(8 + i);
+    else if (step) for (int unsigned i = 0; i < 4; i += 1) turn_q[i] <= slots[4+:4] == 4'(8 + i);
   end
   always_ff @(posedge clk_i) if (step) begin
     product_q  <= ProductW'(left) * ProductW'(right);
@@ -266,13 +266,26 @@ module pu_four_conic (
     if (take) in_q <= covariance_i;
     if (step) begin
       if (phase[3]) begin
-        front_q  <= '{b_m: in_q.b_m, b_e: in_q.b_e, more_m: more_m, more_e: more_e, less_e: less_e, det_e: in_q.det_e};
-        ride_4_q <= '{kind: in_q.kind, swap: swap, second: second_set_q, mean_x: in_q.mean_x, mean_y: in_q.mean_y,
-                      opacity: in_q.opacity};
+        front_q.b_m    <= in_q.b_m;
+        front_q.b_e    <= in_q.b_e;
+        front_q.more_m <= more_m;
+        front_q.more_e <= more_e;
+        front_q.less_e <= less_e;
+        front_q.det_e  <= in_q.det_e;
+        ride_4_q.kind    <= in_q.kind;
+        ride_4_q.swap    <= swap;
+        ride_4_q.second  <= second_set_q;
+        ride_4_q.mean_x  <= in_q.mean_x;
+        ride_4_q.mean_y  <= in_q.mean_y;
+        ride_4_q.opacity <= in_q.opacity;
       end
       if (cycle[7]) ride_8_q <= ride_4_q;
       if (cycle[8]) begin
-        known_9_q <= '{wide_m: wide_m_q, wide_e: wide_e_q, narrow_m: narrow_m_q, narrow_e: narrow_e_q, slope: slope_q};
+        known_9_q.wide_m   <= wide_m_q;
+        known_9_q.wide_e   <= wide_e_q;
+        known_9_q.narrow_m <= narrow_m_q;
+        known_9_q.narrow_e <= narrow_e_q;
+        known_9_q.slope    <= slope_q;
       end
       if (cycle[11]) ride_12_q <= ride_8_q;
       if (cycle[12]) known_13_q <= known_9_q;

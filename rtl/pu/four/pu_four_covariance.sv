@@ -47,7 +47,7 @@ module pu_four_covariance (
   localparam int unsigned Depth = pipegs_pkg::CovarianceDepth;
   logic                 take, claim, step;
   logic [3:0]           phase;  // whose operands are chosen now
-  logic [Depth-1:0][3:0] slots;
+  logic [4*Depth-1:0]    slots;
 
   pu_phases #(
     .Phases(4),
@@ -74,7 +74,7 @@ module pu_four_covariance (
   logic [pipegs_pkg::KindW-1:0] kind_q;  // of the record behind its phases
   logic [3:0]                   first;   // the phase one cycle ago
   for (genvar i = 0; i < 4; i += 1) begin : gen_first
-    assign first[i] = slots[0][2:0] == 3'(i);
+    assign first[i] = slots[2:0] == 3'(i);
   end
   assign center_take_o = claim && kind_q == pipegs_pkg::KindData;
 
@@ -114,39 +114,39 @@ module pu_four_covariance (
     logic        [MantissaW-1:0] m;
     logic signed [ExponentW-1:0] e;
   } number_t;
-  typedef struct packed {
-    number_t             big;
-    logic [AlignedW-1:0] aligned;
-  } aligned_t;
-
-  function automatic aligned_t align(input number_t x, input number_t y);
-    logic                        swap;
-    logic        [MantissaW-1:0] little;
-    logic signed [ExponentW-1:0] apart;
-    swap          = x.m == '0 || (y.m != '0 && y.e > x.e);
-    little        = swap ? x.m : y.m;
-    apart         = swap ? y.e - x.e : x.e - y.e;
-    align.big     = swap ? y : x;
-    align.aligned = little == '0 ? '0 : {little, {GuardW{1'b0}}} >> $unsigned(apart);
-  endfunction
-  function automatic number_t add(input aligned_t from);
-    logic [AlignedW:0] sum;
-    sum   = {1'b0, from.big.m, {GuardW{1'b0}}} + {1'b0, from.aligned};
-    add.m = sum[AlignedW] ? sum[AlignedW-:MantissaW] : sum[AlignedW-1:AlignedW-MantissaW];
-    add.e = from.big.e + flag(sum[AlignedW]);
-  endfunction
-
   localparam number_t Small = {SmallM, SmallE};
-  number_t                     factor, sum, sum_q, a_q, c0_q, c_q, d0_q, part, det;
-  aligned_t                    aligned_q, last_q;
+  number_t                     factor, x [2], y [2], total [2], sum, sum_q, a_q, c0_q, c_q, d0_q, part, det;
   logic signed [SlopeW-1:0]    b_m_q;
   logic signed [ExponentW-1:0] b_e_q, part_e_q;
   logic        [TopW-1:0]      part_q;  // 0.3 times the sum
   assign factor = {factor_m, factor_e};
-  assign sum    = add(aligned_q);
-  assign det    = add(last_q);
+  assign x[0]   = first[3] ? a_q : factor;
+  assign y[0]   = first[3] ? c0_q : Small;
+  assign x[1]   = d0_q;
+  assign y[1]   = part;
+  assign sum    = total[0];
+  assign det    = total[1];
   assign part.m = part_q[TopW-1] ? part_q[TopW-1-:MantissaW] : part_q[TopW-2-:MantissaW];
   assign part.e = part_e_q + flag(part_q[TopW-1]);
+
+  for (genvar i = 0; i < 2; i += 1) begin : gen_adder
+    logic                        swap;
+    logic        [MantissaW-1:0] little;
+    logic signed [ExponentW-1:0] apart;
+    number_t                     big_q;
+    logic        [AlignedW-1:0]  aligned_q;
+    logic        [AlignedW:0]    exact;
+    assign swap       = x[i].m == '0 || (y[i].m != '0 && y[i].e > x[i].e);
+    assign little     = swap ? x[i].m : y[i].m;
+    assign apart      = swap ? y[i].e - x[i].e : x[i].e - y[i].e;
+    assign exact      = {1'b0, big_q.m, {GuardW{1'b0}}} + {1'b0, aligned_q};
+    assign total[i].m = exact[AlignedW] ? exact[AlignedW-:MantissaW] : exact[AlignedW-1:AlignedW-MantissaW];
+    assign total[i].e = big_q.e + flag(exact[AlignedW]);
+    always_ff @(posedge clk_i) if (step) begin
+      big_q     <= swap ? y[i] : x[i];
+      aligned_q <= little == '0 ? '0 : {little, {GuardW{1'b0}}} >> $unsigned(apart);
+    end
+  end
 
   logic signed [FloatEW-1:0] a_e, b_e, c_e, det_e;
   pipegs_saturate #(.InW(ExponentW), .OutW(FloatEW)) u_a_e (
@@ -172,7 +172,6 @@ module pu_four_covariance (
       if (phase[3]) kind_q <= in_q.kind;
       product_q  <= ProductW'($signed({1'b0, left})) * ProductW'(right);
       exponent_q <= exponent;
-      aligned_q  <= first[3] ? align(a_q, c0_q) : align(factor, Small);
       if (first[1]) {a_q, c0_q} <= {sum, factor};
       if (first[2]) begin
         c_q   <= sum;
@@ -183,7 +182,6 @@ module pu_four_covariance (
       sum_q    <= sum;
       part_q   <= TopW'(sum_q.m) * TopW'(SmallM);
       part_e_q <= sum_q.e + SmallE + ExponentW'(MantissaW - 1);
-      last_q   <= align(d0_q, part);
     end
     if (claim) begin
       out_q      <= '0;
@@ -200,7 +198,7 @@ module pu_four_covariance (
         out_q.opacity <= center_i.opacity;
       end
     end
-    if (step && slots[Depth-1] == 4'b1011 && out_q.kind == pipegs_pkg::KindData) begin
+    if (step && slots[4*Depth-4+:4] == 4'b1011 && out_q.kind == pipegs_pkg::KindData) begin
       out_q.det_m <= det.m;
       out_q.det_e <= det_e;
     end

@@ -35,7 +35,6 @@ module pu_four_factors (
   localparam int unsigned ScaleEW   = pipegs_pkg::ScaleEW;
   localparam int unsigned ScaleW    = pipegs_pkg::ScaleW;
   localparam int unsigned ExponentW = pipegs_pkg::WideEW;
-  localparam int unsigned ProductW  = 2 * FactorW;
   localparam int unsigned OneW      = ScaleMW + 1;                                  // a scale with its leading one
   localparam int unsigned BothW     = MantissaW < 2 * OneW ? MantissaW : 2 * OneW;  // a scale or two, left-aligned
   localparam int unsigned PowerW    = ScaleEW + 1;                                  // exponent field, or the sum of two
@@ -88,7 +87,6 @@ module pu_four_factors (
   assign power2 = PowerW'(in_q.scale_2[ScaleW-1:ScaleMW]);
 
   // --- products ------------------------------------------------------------------------------------------------------
-  localparam int unsigned CrossW = FactorW + BothW + 1;  // n_k times two scales, or gx gy
   localparam int unsigned RowW   = FactorW + OneW + 1;
   localparam int unsigned TopW   = 2 * MantissaW;
   localparam int unsigned RightW = BothW > MantissaW ? BothW + 1 : MantissaW + 1;

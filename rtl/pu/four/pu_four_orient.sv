@@ -42,9 +42,9 @@ module pu_four_orient (
   localparam int unsigned Depth = pipegs_pkg::OrientDepth;
   logic                  take, claim, step;
   logic [3:0]            phase;  // whose operands are chosen now
-  logic [Depth-1:0][3:0] slots;
+  logic [4*Depth-1:0]    slots;
   logic [2:0]            sum;    // phase whose products are in use
-  assign sum = slots[0][2:0];
+  assign sum = slots[2:0];
 
   pu_phases #(
     .Phases(4),
@@ -155,7 +155,7 @@ module pu_four_orient (
   logic signed [ProductW-1:0]  beside;   // of the first pair
   logic [ProductW-2:0]         above;    // of the diagonal
   for (genvar i = 0; i < 4; i += 1) begin : gen_write
-    assign write[i] = slots[Depth-1] == 4'(8 + i);
+    assign write[i] = slots[4*Depth-4+:4] == 4'(8 + i);
   end
   assign beside = write[3] ? wx_q : wz_q;
   assign above  = write[1] ? xx_q : yy_q;
@@ -176,7 +176,7 @@ module pu_four_orient (
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) turn_q <= '0;
-    else if (step) for (int unsigned i = 0; i < 4; i += 1) turn_q[i] <= slots[2] == 4'(8 + i);
+    else if (step) for (int unsigned i = 0; i < 4; i += 1) turn_q[i] <= slots[8+:4] == 4'(8 + i);
   end
   always_ff @(posedge clk_i) begin
     if (take) projected_q <= projected_i;

@@ -61,10 +61,10 @@ module pu_four_project (
   localparam int unsigned Depth = pipegs_pkg::ProjectDepth;
   logic                  take, claim, step, held;
   logic [3:0]            phase;  // whose operands are chosen now
-  logic [Depth-1:0][3:0] slots;
+  logic [4*Depth-1:0]    slots;
   logic [3:0]            first;  // the phase one cycle ago
   for (genvar i = 0; i < 4; i += 1) begin : gen_first
-    assign first[i] = slots[0] == 4'(8 + i);
+    assign first[i] = slots[0+:4] == 4'(8 + i);
   end
 
   pu_phases #(
@@ -112,7 +112,7 @@ module pu_four_project (
       {turn_q, divided_q, cycle8_q, cycle10_q, cycle11_q, cycle12_q} <= '0;
     end else begin
       if (step) begin
-        for (int unsigned i = 0; i < 4; i += 1) turn_q[i] <= slots[4] == 4'(8 + i);
+        for (int unsigned i = 0; i < 4; i += 1) turn_q[i] <= slots[16+:4] == 4'(8 + i);
         divided_q <= turn_q[0];
         cycle8_q  <= turn_q[1];
         cycle10_q <= turn_q[3];
@@ -264,7 +264,7 @@ module pu_four_project (
       end
       if (first[2]) {x_q, x_shift_q} <= {normal_q, shift_q};
       if (first[3]) {y_q, y_shift_q} <= {normal_q, shift_q};
-      if (slots[4] == 4'd8) begin  // cycle 5
+      if (slots[16+:4] == 4'd8) begin  // cycle 5
         use_q    <= inv_valid ? inv : inv_q;
         x_down_q <= DownW'(x_shift_q) + DownW'(z_place_q);
         y_down_q <= DownW'(y_shift_q) + DownW'(z_place_q);
