@@ -23,7 +23,8 @@ PuStage phases(std::string_view name, std::string_view camel_name, int phases, i
 
 std::vector<PuStage> pu_stages(const Config& c) {
   return {
-#define PIPEGS_STAGE(name, Name, in, out, begin, free, result, built) {#name, #Name, 0, 0, begin, free, result, 2, built},
+#define PIPEGS_STAGE(name, Name, in, out, begin, free, result, built) \
+  {#name, #Name, 0, 0, begin, free, result, 2, built},
 #define PIPEGS_EIGHT_CYCLES(name, Name, in, out, depth, claim, built) phases(#name, #Name, 8, depth, claim, built),
 #define PIPEGS_FOUR_CYCLES(name, Name, in, out, depth, claim, built) phases(#name, #Name, 4, depth, claim, built),
 #include "cpp_model/pu/stages.def"

@@ -320,7 +320,8 @@ mutant "a record is taken before the last phase is over" 's/phase_q == LastPhase
 proof  pu_phases_four "pu_phases+" "Phases=4 Depth=6 Claim=6; Phases=4 Depth=5 Claim=5; Phases=4 Depth=2 Claim=2;
        Phases=4 Depth=11 Claim=14"
 mutant "nothing stands still while a record waits to claim" 's/(assign step_o *= ).*/\11;/'
-mutant "the last phase but one claims" "s/\(Claim-Phases\)\*SlotW\+:SlotW\] == \{1'b1, LastPhase/(Claim-Phases)*SlotW+:SlotW] == {1'b1, LastPhase - 1'b1/"
+mutant "the last phase but one claims" \
+       "s/(Claim-Phases\)\*SlotW\+:SlotW\] == \{1'b1, LastPhase)/\1 - 1'b1/"
 
 # The clockwork of pu_conic and pu_coeff.
 proof  pu_turns "pu_turns+" "machine"

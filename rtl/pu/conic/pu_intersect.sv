@@ -12,8 +12,8 @@
 // Stream  coeff in, tiles out, in order; a Gaussian without a region is not emitted. An end beat passes through. For
 //         the payloads (pu_regions): drop_o, one has no box and is gone, whatever walks before it; walk_o, one begins
 //         its walk; leave_o, the oldest of those that walk leaves, its mask may be empty.
-// Pace    The regions in the box, of each row Tests in a cycle, but at least 3 cycles, with a Pace of 4 at least 2; 2 for
-//         a Gaussian without a box; an end beat waits for those before it.
+// Pace    The regions in the box, of each row Tests in a cycle, but at least 3 cycles (2 with a Pace of 4); 2 for a
+//         Gaussian without a box; an end beat waits for those before it.
 //         box | start | place | walk ... | ends of edges | products | compare, out
 // Model   cpp_model/pu/conic/pu_intersect.hpp
 

@@ -158,7 +158,10 @@ module pu_four_coeff (
   always_ff @(posedge clk_i) if (step) begin
     first_q       <= FirstW'(short_left) * FirstW'(short_right);
     first_shift_q <= first_shift;
-    if (phase[0]) {normal_q_q, normal_q_e_q} <= {raised, $signed(SumW'(WideW - 1 - NormalF) - SumW'(spare) - SumW'(MeanF))};
+    if (phase[0]) begin
+      normal_q_q   <= raised;
+      normal_q_e_q <= $signed(SumW'(WideW - 1 - NormalF) - SumW'(spare) - SumW'(MeanF));
+    end
     if (phase[1]) w_q <= (WideW'(mean_p) <<< SlopeF) - WideW'(first_q);
     if (phase[2]) begin
       normal_w_q   <= raised;

@@ -178,25 +178,24 @@ module pu_four_conic (
   end
 
   // A product of two normalised mantissas: MantissaW leading bits, to nearest, and what its exponent gains.
-  typedef struct packed {
-    logic [MantissaW-1:0]      m;
-    logic signed [FloatEW-1:0] e;
-  } rounded_t;
-  rounded_t narrow, scaled;
+  localparam int unsigned RoundedW = MantissaW + FloatEW;
+  logic [2*RoundedW-1:0]     rounded;
+  logic [MantissaW-1:0]      narrow_m, scaled_m;
+  logic signed [FloatEW-1:0] narrow_gain, scaled_gain;
   for (genvar i = 0; i < 2; i += 1) begin : gen_round
     logic [2*MantissaW-1:0] whole;
     logic                   top;
     logic [MantissaW:0]     leading, nearest;
-    rounded_t               rounded;
-    assign whole     = i == 0 ? product_q[2*MantissaW-1:0] : constant_q;
-    assign top       = whole[2*MantissaW-1];
-    assign leading   = top ? whole[2*MantissaW-1-:MantissaW+1] : whole[2*MantissaW-2-:MantissaW+1];
-    assign nearest   = {1'b0, leading[MantissaW:1]} + (MantissaW + 1)'(leading[0]);
-    assign rounded.m = nearest[MantissaW] ? nearest[MantissaW:1] : nearest[MantissaW-1:0];
-    assign rounded.e = FloatEW'({1'b0, top}) + FloatEW'({1'b0, nearest[MantissaW]});
+    assign whole   = i == 0 ? product_q[2*MantissaW-1:0] : constant_q;
+    assign top     = whole[2*MantissaW-1];
+    assign leading = top ? whole[2*MantissaW-1-:MantissaW+1] : whole[2*MantissaW-2-:MantissaW+1];
+    assign nearest = {1'b0, leading[MantissaW:1]} + (MantissaW + 1)'(leading[0]);
+    assign rounded[i*RoundedW+:RoundedW] = {
+      nearest[MantissaW] ? nearest[MantissaW:1] : nearest[MantissaW-1:0],
+      FloatEW'({1'b0, top}) + FloatEW'({1'b0, nearest[MantissaW]})
+    };
   end
-  assign narrow = gen_round[0].rounded;
-  assign scaled = gen_round[1].rounded;
+  assign {scaled_m, scaled_gain, narrow_m, narrow_gain} = rounded;
 
   // b / larger = product * 2^(b_e - larger_e + 1 - 2 MantissaW), to SlopeF fraction bits, at most 1.
   logic signed [SumW-1:0]     slope_shift_q;
@@ -220,17 +219,17 @@ module pu_four_conic (
   always_ff @(posedge clk_i) if (step) begin
     slope_shift_q <= SumW'(front_q.more_e) - SumW'(front_q.b_e) + SumW'(2 * MantissaW - 1) - SumW'(SlopeF);
     if (cycle[5]) begin
-      scaled_det_q   <= scaled.m;
-      scaled_det_e_q <= scaled.e - front_q.det_e - FloatEW'(2 * MantissaW);
+      scaled_det_q   <= scaled_m;
+      scaled_det_e_q <= scaled_gain - front_q.det_e - FloatEW'(2 * MantissaW);
     end
     if (cycle[6]) begin
-      wide_m_q <= scaled.m;
-      wide_e_q <= scaled.e - front_q.more_e - FloatEW'(2 * MantissaW);
+      wide_m_q <= scaled_m;
+      wide_e_q <= scaled_gain - front_q.more_e - FloatEW'(2 * MantissaW);
       slope_q  <= slope;
     end
     if (cycle[7]) begin
-      narrow_m_q <= narrow.m;
-      narrow_e_q <= narrow.e + front_q.more_e + scaled_det_e_q + FloatEW'(MantissaW - 1);
+      narrow_m_q <= narrow_m;
+      narrow_e_q <= narrow_gain + front_q.more_e + scaled_det_e_q + FloatEW'(MantissaW - 1);
     end
   end
 

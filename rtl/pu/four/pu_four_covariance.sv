@@ -114,36 +114,38 @@ module pu_four_covariance (
     logic        [MantissaW-1:0] m;
     logic signed [ExponentW-1:0] e;
   } number_t;
+  localparam int unsigned NumberW = MantissaW + ExponentW;
   localparam number_t Small = {SmallM, SmallE};
-  number_t                     factor, x [2], y [2], total [2], sum, sum_q, a_q, c0_q, c_q, d0_q, part, det;
+  logic [2*NumberW-1:0]        totals;
+  number_t                     factor, sum, sum_q, a_q, c0_q, c_q, d0_q, part, det;
   logic signed [SlopeW-1:0]    b_m_q;
   logic signed [ExponentW-1:0] b_e_q, part_e_q;
   logic        [TopW-1:0]      part_q;  // 0.3 times the sum
   assign factor = {factor_m, factor_e};
-  assign x[0]   = first[3] ? a_q : factor;
-  assign y[0]   = first[3] ? c0_q : Small;
-  assign x[1]   = d0_q;
-  assign y[1]   = part;
-  assign sum    = total[0];
-  assign det    = total[1];
+  assign {det, sum} = totals;
   assign part.m = part_q[TopW-1] ? part_q[TopW-1-:MantissaW] : part_q[TopW-2-:MantissaW];
   assign part.e = part_e_q + flag(part_q[TopW-1]);
 
   for (genvar i = 0; i < 2; i += 1) begin : gen_adder
+    number_t                     x, y;
+    assign x = i == 1 ? d0_q : first[3] ? a_q : factor;
+    assign y = i == 1 ? part : first[3] ? c0_q : Small;
     logic                        swap;
     logic        [MantissaW-1:0] little;
     logic signed [ExponentW-1:0] apart;
     number_t                     big_q;
     logic        [AlignedW-1:0]  aligned_q;
     logic        [AlignedW:0]    exact;
-    assign swap       = x[i].m == '0 || (y[i].m != '0 && y[i].e > x[i].e);
-    assign little     = swap ? x[i].m : y[i].m;
-    assign apart      = swap ? y[i].e - x[i].e : x[i].e - y[i].e;
+    assign swap       = x.m == '0 || (y.m != '0 && y.e > x.e);
+    assign little     = swap ? x.m : y.m;
+    assign apart      = swap ? y.e - x.e : x.e - y.e;
     assign exact      = {1'b0, big_q.m, {GuardW{1'b0}}} + {1'b0, aligned_q};
-    assign total[i].m = exact[AlignedW] ? exact[AlignedW-:MantissaW] : exact[AlignedW-1:AlignedW-MantissaW];
-    assign total[i].e = big_q.e + flag(exact[AlignedW]);
+    assign totals[i*NumberW+:NumberW] = {
+      exact[AlignedW] ? exact[AlignedW-:MantissaW] : exact[AlignedW-1:AlignedW-MantissaW],
+      big_q.e + flag(exact[AlignedW])
+    };
     always_ff @(posedge clk_i) if (step) begin
-      big_q     <= swap ? y[i] : x[i];
+      big_q     <= swap ? y : x;
       aligned_q <= little == '0 ? '0 : {little, {GuardW{1'b0}}} >> $unsigned(apart);
     end
   end

@@ -4,8 +4,8 @@
 // Paper   the bounding box before the tile test (Sec. 4.2).
 // Idea    On the box's side the power is -budget:  extent^2 = 2 ln(2) variance (log2(AlphaCut) - opacity).
 //         t = budget * 2 ln(2) here, variance * t in pu_conic's multiplier, the roots here, two bits per cycle.
-// Stream  Follows the cycles of pu_four_conic: t for cycles 3 and 4, product_i in 4 (t times the smaller variance) and 5
-//         (the larger one), extents in cycle 14. Two sets of roots, for one record and the next.
+// Stream  Follows the cycles of pu_four_conic: t for cycles 3 and 4, product_i in 4 (t times the smaller variance) and
+//         5 (the larger one), extents in cycle 14. Two sets of roots, for one record and the next.
 // Pace    One record in four cycles.
 // Model   cpp_model/pu/conic/pu_extent.hpp
 
@@ -73,10 +73,10 @@ module pu_four_extent #(
   end
 
   // --- the roots: of the smaller and of the larger variance, in each set ---------------------------------------------
-  logic signed [SumW-1:0]    exponent, half, half_q [2][2];
+  logic signed [SumW-1:0]    exponent, half, half_q [4];
   logic signed [FloatEW-1:0] variance_e;
   logic [RadicandW-1:0]      radicand;
-  logic [RootW-1:0]          roots [2][2], root;
+  logic [RootW-1:0]          roots [4], root;
   logic [ExtentW-1:0]        pixels, pixels_q [2], pixels_x, pixels_y;
 
   assign variance_e = load_i[0] ? less_e_i : more_e_i;
@@ -92,10 +92,10 @@ module pu_four_extent #(
         .load_i(load && step_i),
         .step_i,
         .radicand_i(radicand),
-        .root_o(roots[k][i])
+        .root_o(roots[2*k+i])
       );
       always_ff @(posedge clk_i) begin
-        if (load && step_i) half_q[k][i] <= (exponent + $signed(SumW'(exponent[0]))) >>> 1;
+        if (load && step_i) half_q[2*k+i] <= (exponent + $signed(SumW'(exponent[0]))) >>> 1;
       end
     end
   end
@@ -105,8 +105,8 @@ module pu_four_extent #(
   logic [RootW:0]         up;
   logic [SumW-1:0]        minus_half;
   logic [ExtentW+RootW:0] raised;
-  assign root       = roots[give_set_i][give_i[1]];
-  assign half       = half_q[give_set_i][give_i[1]];
+  assign root       = roots[{give_set_i, give_i[1]}];
+  assign half       = half_q[{give_set_i, give_i[1]}];
   assign up         = (RootW + 1)'(root) + (RootW + 1)'(1);
   assign minus_half = -half;
   assign raised     = (ExtentW + RootW + 1)'(up) << half[ByW-1:0];

@@ -167,12 +167,13 @@ module pu_four_factors (
   end
 
   // The exponent of the aligned row; the biases of one scale or of two are taken off here.
-  function automatic logic signed [ExponentW-1:0] row_e(input logic any_one, input logic signed [ExponentW-1:0] highest,
+  function automatic logic signed [ExponentW-1:0] row_e(input logic any_one,
+                                                        input logic signed [ExponentW-1:0] highest,
                                                         input int unsigned scales);
     row_e = any_one ? highest - ExponentW'(scales * (Bias - 1)) : ExponentW'(BothW) - ExponentW'(Lowest);
   endfunction
 
-  // --- how far its row is above a product; then the product is aligned, rounded to nearest -----------------------------
+  // --- how far its row is above a product; then the product is aligned, rounded to nearest ---------------------------
   // Of u one cycle behind the phase, of t in it, as t_2 is issued in the last one.
   localparam int unsigned KeptW = 2 * FactorW - BothW + 1;  // with one bit for rounding
   logic signed [ExponentW-1:0] e0, e1, et, apart0_q, apart1_q, apart_t_q, ahead_q;
@@ -221,8 +222,7 @@ module pu_four_factors (
       product1_q    <= RowW'(row1_q) * RowW'($signed({1'b0, row_right_q}));
       cross_q       <= (FactorW + RightW)'(cross_left_q) * (FactorW + RightW)'(cross_right_q);
       square_q      <= TopW'(square);
-      if (phase[0]) any_q <= any;
-      if (phase[0]) top_q <= top;
+      for (int unsigned r = 0; r < 3; r += 1) if (phase[0]) {any_q[r], top_q[r]} <= {any[r], top[r]};
       // Negative only beside a product of zero.
       apart0_q      <= top_q[0] - e0;
       apart1_q      <= top_q[1] - e1;
@@ -269,6 +269,7 @@ module pu_four_factors (
     end
   end
 
-  wire unused_bits = &{1'b0, phase, next_valid, pair, square};  // the phase is only looked at beside products that count
+  // The phase is only looked at beside products that count.
+  wire unused_bits = &{1'b0, phase, next_valid, pair, square};
 
 endmodule

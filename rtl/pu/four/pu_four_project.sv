@@ -8,7 +8,7 @@
 //           recip         1/z ------------->
 //           dir                  x, y  z
 //           multiply                                  x/z   y/z   fx tx  fy ty
-//           round                                           x/z   y/z    tan x, y: 8, 9;  mean x, y: shift 9, 10; add 10, 11
+//           round                                           x/z   y/z   tan x, y: 8, 9;  mean: shift 9, 10; add 10, 11
 // Stream  visible in, projected out, in order; an end beat passes with all other fields zero. Beside a Gaussian's
 //         record two others leave, each for one cycle as soon as it is known: its payload in phase 3, its centre in
 //         cycle 12.
@@ -29,7 +29,7 @@ module pu_four_project (
   input  logic                    projected_ready_i,
   output pipegs_pkg::projected_t  projected_o,
 
-  output logic                    center_valid_o,   // of each Gaussian, at most two cycles behind its record; not refused
+  output logic                    center_valid_o,   // of each Gaussian, two cycles behind its record; not refused
   output pipegs_pkg::center_t     center_o,
   output logic                    payload_valid_o,  // before its record; not refused
   output pipegs_pkg::payload_t    payload_o,
@@ -189,7 +189,8 @@ module pu_four_project (
   localparam int unsigned WideW = ViewW + TanF + 1;  // a ratio with TanF and one more fraction bits
   logic signed [WideW-1:0] tan_down, tan_rounded;
   logic signed [TanW-1:0]  tan;
-  assign tan_down    = $signed({turn_q[2] ? x_ratio_q : y_ratio_q, {(TanF + 1){1'b0}}}) >>> (turn_q[2] ? x_down_q : y_down_q);
+  assign tan_down    = $signed({turn_q[2] ? x_ratio_q : y_ratio_q, {(TanF + 1){1'b0}}}) >>>
+                       (turn_q[2] ? x_down_q : y_down_q);
   assign tan_rounded = (tan_down + WideW'(1)) >>> 1;
   if (pipegs_pkg::GuardBand != 0) begin : gen_guard
     logic signed [WideW-1:0] bound;

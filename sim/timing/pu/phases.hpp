@@ -8,8 +8,8 @@
 //           claim = max(take + begin, former result taken)
 //           ready = take + begin + free
 //           out   = claim + result
-//         A record that waits to claim holds up those behind it. One whose claim lies behind its phases may have younger
-//         ones there; the next is taken ahead of it only if what it waits for cannot matter.
+//         A record that waits to claim holds up those behind it. Where the claim lies behind the phases, younger ones
+//         are in the stage by then: the next is taken before the claim is known only if that cannot matter.
 //         So all times are computed as soon as they are known, often ahead of the clock. Only the first take and the
 //         last result are seen by others.
 #pragma once
