@@ -127,25 +127,28 @@ module pu_four_covariance (
   assign part.e = part_e_q + flag(part_q[TopW-1]);
 
   for (genvar i = 0; i < 2; i += 1) begin : gen_adder
-    number_t                     x, y;
-    assign x = i == 1 ? d0_q : first[3] ? a_q : factor;
-    assign y = i == 1 ? part : first[3] ? c0_q : Small;
+    logic        [MantissaW-1:0] x_m, y_m;
+    logic signed [ExponentW-1:0] x_e, y_e;
+    assign {x_m, x_e} = i == 1 ? d0_q : first[3] ? a_q : factor;
+    assign {y_m, y_e} = i == 1 ? part : first[3] ? c0_q : Small;
     logic                        swap;
     logic        [MantissaW-1:0] little;
     logic signed [ExponentW-1:0] apart;
-    number_t                     big_q;
+    logic        [MantissaW-1:0] big_m_q;
+    logic signed [ExponentW-1:0] big_e_q;
     logic        [AlignedW-1:0]  aligned_q;
     logic        [AlignedW:0]    exact;
-    assign swap       = x.m == '0 || (y.m != '0 && y.e > x.e);
-    assign little     = swap ? x.m : y.m;
-    assign apart      = swap ? y.e - x.e : x.e - y.e;
-    assign exact      = {1'b0, big_q.m, {GuardW{1'b0}}} + {1'b0, aligned_q};
+    assign swap       = x_m == '0 || (y_m != '0 && y_e > x_e);
+    assign little     = swap ? x_m : y_m;
+    assign apart      = swap ? y_e - x_e : x_e - y_e;
+    assign exact      = {1'b0, big_m_q, {GuardW{1'b0}}} + {1'b0, aligned_q};
     assign totals[i*NumberW+:NumberW] = {
       exact[AlignedW] ? exact[AlignedW-:MantissaW] : exact[AlignedW-1:AlignedW-MantissaW],
-      big_q.e + flag(exact[AlignedW])
+      big_e_q + flag(exact[AlignedW])
     };
     always_ff @(posedge clk_i) if (step) begin
-      big_q     <= swap ? y : x;
+      big_m_q   <= swap ? y_m : x_m;
+      big_e_q   <= swap ? y_e : x_e;
       aligned_q <= little == '0 ? '0 : {little, {GuardW{1'b0}}} >> $unsigned(apart);
     end
   end

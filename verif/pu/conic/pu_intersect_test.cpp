@@ -31,7 +31,7 @@ class Numbers : public Endpoint {
       walking_.pop_front();
     }
     if (dut.walk_o) walking_.push_back(came);
-    EXPECT_LE(walking_.size(), 2u) << "cycle " << bench_.cycle;
+    EXPECT_LE(walking_.size(), test_config().pace == 4 ? 3u : 2u) << "cycle " << bench_.cycle;
     came += dut.drop_o + dut.walk_o;
   }
   uint64_t came = 0;
@@ -113,7 +113,7 @@ TEST(PuIntersect, EqualsItsModelForAnyConcaveCoefficients) {
   s.compare(records);
 }
 
-TEST(PuIntersect, TakesOneCyclePerStepOfTheBoxAndAtLeastThree) {
+TEST(PuIntersect, TakesOneCyclePerStepOfTheBoxAndAtLeastThreeOrTwo) {
   Stage s;
   std::vector<Coeff> records;
   Covariance round;  // as large as reaches one region from its middle, four from the corner of four
