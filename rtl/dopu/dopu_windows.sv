@@ -7,10 +7,13 @@
 //         one set, of all windows as one rectangle, and it is never done. Where counts_i is up a set of a whole window
 //         is counted before it is walked (set_counts_o); when that has found too much in it, the planes of its parts
 //         take its place one after the other.
+//         With Occlusion the planes of a set are made anew when more of its walk is closed: those of the rectangle
+//         around what is open (pipegs_open). What they let pass that the old ones did not changes no pixel either, so
+//         they may change while nodes are tested. A set to be filled goes first, once it is free.
 // Stream  start_i for one cycle; set_valid_o: a set may be walked, until walked_i; release_i gives back the oldest set.
 //         judged_i: the set counted is to be walked whole or by parts.
 // Pace    One walk per 52 cycles.
-// Model   cpp_model/dopu/dopu_planes.hpp, dopu_walks.hpp
+// Model   cpp_model/dopu/dopu_planes.hpp, dopu_walks.hpp, cpp_model/open.hpp
 
 module dopu_windows (
   input  logic                                  clk_i,
@@ -24,12 +27,13 @@ module dopu_windows (
   input  logic [pipegs_pkg::Units*pipegs_pkg::Regions-1:0] done_i,    // from the RUs
   input  logic [pipegs_pkg::Units*pipegs_pkg::WindowW-1:0] done_x_i,
   input  logic [pipegs_pkg::Units*pipegs_pkg::WindowW-1:0] done_y_i,
+  input  pipegs_pkg::open_t                     open_i,
 
   output logic [1:0]                            set_valid_o,  // filled and not walked yet
   input  logic                                  walked_i,     // all cells of the next one are on their way
   output logic [1:0]                            set_last_o,   // the frame's last window
   output logic [1:0]                            set_done_o,   // nothing of it can be seen any more
-  output logic                                  done_news_o,  // that changes with this cycle's end
+  output logic                                  done_news_o,  // that changes with this cycle's end; or planes are made
   output logic [1:0]                            set_ends_o,   // the last walk of its window
   output logic [2*pipegs_pkg::PlaceW-1:0]       set_place_o,
   output logic [2*5*pipegs_pkg::PlaneBits-1:0]  planes_o,
@@ -61,10 +65,13 @@ module dopu_windows (
   logic               counts_q;                  // the set filled last is counted, and the next one waits
   logic [PlaceW-1:0]  place_q [2];
   logic [PlanesW-1:0] planes_q [2];
+  // A set's planes are made anew: it is due, its planes are with dopu_planes, those of which set.
+  logic                refit_due, refit_q, refit, refit_pick, refit_set_q, fill_due;
+  pipegs_pkg::closed_t refit_closed;  // what is closed of the walk that dopu_planes is asked for
 
-  assign window_valid = more_q && !asking_q && !counts_q;
-  assign planes_ready = !valid_q[fill_q];
-  assign fill         = planes_valid && planes_ready;
+  assign window_valid = fill_due || refit_due;
+  assign planes_ready = !valid_q[fill_q] || refit_q;
+  assign fill         = planes_valid && planes_ready && !refit_q;
   assign whole        = judged_i && !parts_i;
   assign split        = judged_i && parts_i;
   assign next         = whole || (fill && !count && ends);
@@ -93,7 +100,8 @@ module dopu_windows (
     .raster_i,
     .window_valid_i(window_valid),
     .window_ready_o(window_ready),
-    .window_i(place),
+    .window_i(fill_due ? place : place_q[refit_pick]),
+    .closed_i(refit_closed),
     .planes_valid_o(planes_valid),
     .planes_ready_i(planes_ready),
     .planes_o(planes)
@@ -111,7 +119,7 @@ module dopu_windows (
       counts_q <= 1'b0;
     end else begin
       if (start_i) more_q <= 1'b1;
-      if (window_valid && window_ready) asking_q <= 1'b1;
+      if (fill_due && window_ready) asking_q <= 1'b1;
       if (walked_i) begin
         fresh_q[walk_q] <= 1'b0;
         walk_q          <= walk_q ^ !set_counts_o[walk_q];
@@ -134,6 +142,7 @@ module dopu_windows (
   end
 
   always_ff @(posedge clk_i) begin
+    if (refit) planes_q[refit_set_q] <= planes;
     if (fill) begin
       planes_q[fill_q] <= planes;
       place_q[fill_q]  <= place;
@@ -148,6 +157,53 @@ module dopu_windows (
   assign set_counts_o = {counts_q && fill_q, counts_q && !fill_q};
   assign set_place_o  = {place_q[1], place_q[0]};
   assign planes_o     = {planes_q[1], planes_q[0]};
+
+  // --- planes made anew ---------------------------------------------------------------------------------------------
+  if (pipegs_pkg::Occlusion != 0) begin : gen_refit
+    typedef struct packed {pipegs_pkg::closed_t [1:0] of;} closed_sets_t;
+    closed_sets_t closed;                    // of the walk of either set
+    closed_sets_t closed_q;                  // of its planes
+    pipegs_pkg::closed_t refit_closed_q;     // of those that are made
+    logic [1:0]          stale;
+    for (genvar s = 0; s < 2; s += 1) begin : gen_set
+      pipegs_closed u_closed (
+        .open_i,
+        .place_i(place_q[s]),
+        .closed_o(closed.of[s])
+      );
+      assign stale[s] = valid_q[s] && !set_counts_o[s] && closed.of[s] != '0 && closed.of[s] != closed_q.of[s];
+    end
+    // A set filled holds on to dopu_planes until it is taken, so it is asked for only when it can be.
+    assign fill_due     = more_q && !asking_q && !counts_q && !valid_q[fill_q] && !refit_q;
+    assign refit_due    = !fill_due && !asking_q && !refit_q && stale != '0;
+    assign refit_pick   = stale[oldest_q] ? oldest_q : !oldest_q;
+    assign refit_closed = fill_due ? '0 : closed.of[refit_pick];
+    assign refit        = planes_valid && refit_q;
+    always_ff @(posedge clk_i or negedge rst_ni) begin
+      if (!rst_ni) refit_q <= 1'b0;
+      else if (refit_due && window_ready) refit_q <= 1'b1;
+      else if (refit) refit_q <= 1'b0;
+    end
+    always_ff @(posedge clk_i) begin
+      if (refit_due && window_ready) begin
+        refit_set_q    <= refit_pick;
+        refit_closed_q <= refit_closed;
+      end
+      // A set that was released meanwhile is not filled before: what it gets does no harm.
+      if (refit) closed_q.of[refit_set_q] <= refit_closed_q;
+      if (fill) closed_q.of[fill_q] <= '0;
+    end
+  end else begin : gen_no_refit
+    assign fill_due     = more_q && !asking_q && !counts_q;
+    assign refit_due    = 1'b0;
+    assign refit_q      = 1'b0;
+    assign refit        = 1'b0;
+    assign refit_pick   = 1'b0;
+    assign refit_set_q  = 1'b0;
+    assign refit_closed = '0;
+    logic unused_open;
+    assign unused_open  = ^open_i;
+  end
 
   // --- the walks of a window: whole, or its parts with a pixel of the picture, row by row ----------------------------
   if (pipegs_pkg::HasWalks) begin : gen_walks
@@ -211,7 +267,7 @@ module dopu_windows (
     end
   end
   always_ff @(posedge clk_i) done_q <= done_d;
-  assign done_news_o = done_d != done_q;
+  assign done_news_o = done_d != done_q || refit_due || refit_q;
   assign set_done_o = done_q & valid_q;
 
 `ifndef SYNTHESIS
@@ -221,7 +277,7 @@ module dopu_windows (
     .rst_ni,
     .valid_i(window_valid),
     .ready_i(window_ready),
-    .beat_i(place)
+    .beat_i(fill_due ? place : place_q[refit_pick])
   );
 `endif
 
