@@ -26,6 +26,7 @@ module pipegs_open (
   localparam int unsigned PartX   = pipegs_pkg::PartRegionsX;
   localparam int unsigned SideX   = PartsX * PartX;  // regions along the window's side
   localparam int unsigned ClosedW = pipegs_pkg::ClosedW;
+  localparam int unsigned Bits    = pipegs_pkg::ClosedBits;
 
   // --- open regions -------------------------------------------------------------------------------------------------
   logic [Units-1:0]   here;  // in the window of the first one
@@ -46,8 +47,8 @@ module pipegs_open (
   end
 
   // --- columns and rows that hold one -------------------------------------------------------------------------------
-  logic [Parts-1:0][PartX-1:0] columns, rows;
-  logic [SideX-1:0]            all_columns, all_rows;
+  logic [Parts*PartX-1:0] columns, rows;  // of each part
+  logic [SideX-1:0]       all_columns, all_rows;
   always_comb begin
     columns     = '0;
     rows        = '0;
@@ -56,10 +57,10 @@ module pipegs_open (
     for (int unsigned p = 0; p < Parts; p += 1) begin
       for (int unsigned r = 0; r < MaskW; r += 1) begin
         if (open[p*MaskW+r]) begin
-          columns[p][r%PartX]                      = 1'b1;
-          rows[p][r/PartX]                         = 1'b1;
-          all_columns[(p%PartsX)*PartX + r%PartX]  = 1'b1;
-          all_rows[(p/PartsX)*PartX + r/PartX]     = 1'b1;
+          columns[p*PartX + r%PartX]              = 1'b1;
+          rows[p*PartX + r/PartX]                 = 1'b1;
+          all_columns[(p%PartsX)*PartX + r%PartX] = 1'b1;
+          all_rows[(p/PartsX)*PartX + r/PartX]    = 1'b1;
         end
       end
     end
@@ -74,19 +75,17 @@ module pipegs_open (
     from_high = '0;
     for (int unsigned i = 0; i < SideX; i += 1) if (some[i]) from_high = ClosedW'(side - 1 - i);
   endfunction
-  function automatic pipegs_pkg::closed_t closed_of(input logic [SideX-1:0] x, input logic [SideX-1:0] y,
-                                                    input int unsigned side);
-    closed_of.left   = from_low(x);
-    closed_of.right  = from_high(x, side);
-    closed_of.top    = from_low(y);
-    closed_of.bottom = from_high(y, side);
+  // A closed_t.
+  function automatic logic [Bits-1:0] closed_of(input logic [SideX-1:0] x, input logic [SideX-1:0] y,
+                                                input int unsigned side);
+    closed_of = {from_high(y, side), from_low(y), from_high(x, side), from_low(x)};
   endfunction
 
-  pipegs_pkg::open_t   open_d, open_q;
-  pipegs_pkg::closed_t part [4];
+  pipegs_pkg::open_t open_d, open_q;
+  logic [Bits-1:0]   part [4];
   for (genvar p = 0; p < 4; p += 1) begin : gen_part
     if (pipegs_pkg::HasWalks) begin : gen_walk
-      assign part[p] = closed_of(SideX'(columns[p]), SideX'(rows[p]), PartX);
+      assign part[p] = closed_of(SideX'(columns[p*PartX +: PartX]), SideX'(rows[p*PartX +: PartX]), PartX);
     end else begin : gen_none
       assign part[p] = '0;
     end

@@ -49,6 +49,7 @@ module dopu_windows (
   localparam int unsigned PlaceW = pipegs_pkg::PlaceW;
   localparam int unsigned MaskW = pipegs_pkg::MaskW;
   localparam int unsigned PlanesW = 5 * pipegs_pkg::PlaneBits;
+  localparam int unsigned ClosedBits = pipegs_pkg::ClosedBits;
   localparam int unsigned Units = pipegs_pkg::Units;
   localparam int unsigned Regions = pipegs_pkg::Regions;
   localparam logic Whole = pipegs_pkg::HasLists;  // one walk of all windows: nothing is done before it ends
@@ -65,13 +66,13 @@ module dopu_windows (
   logic               counts_q;                  // the set filled last is counted, and the next one waits
   logic [PlaceW-1:0]  place_q [2];
   logic [PlanesW-1:0] planes_q [2];
-  // A set's planes are made anew: it is due, its planes are with dopu_planes, those of which set.
-  logic                refit_due, refit_q, refit, refit_pick, refit_set_q, fill_due;
-  pipegs_pkg::closed_t refit_closed;  // what is closed of the walk that dopu_planes is asked for
+  // A set's planes are made anew: it is due, dopu_planes works on them, they come; of which set.
+  logic                  refit_due, refitting, refit, refit_pick, refit_set, fill_due;
+  logic [ClosedBits-1:0] refit_closed;  // what is closed of the walk that dopu_planes is asked for
 
   assign window_valid = fill_due || refit_due;
-  assign planes_ready = !valid_q[fill_q] || refit_q;
-  assign fill         = planes_valid && planes_ready && !refit_q;
+  assign planes_ready = !valid_q[fill_q] || refitting;
+  assign fill         = planes_valid && planes_ready && !refitting;
   assign whole        = judged_i && !parts_i;
   assign split        = judged_i && parts_i;
   assign next         = whole || (fill && !count && ends);
@@ -142,7 +143,7 @@ module dopu_windows (
   end
 
   always_ff @(posedge clk_i) begin
-    if (refit) planes_q[refit_set_q] <= planes;
+    if (refit) planes_q[refit_set] <= planes;
     if (fill) begin
       planes_q[fill_q] <= planes;
       place_q[fill_q]  <= place;
@@ -160,46 +161,48 @@ module dopu_windows (
 
   // --- planes made anew ---------------------------------------------------------------------------------------------
   if (pipegs_pkg::Occlusion != 0) begin : gen_refit
-    typedef struct packed {pipegs_pkg::closed_t [1:0] of;} closed_sets_t;
-    closed_sets_t closed;                    // of the walk of either set
-    closed_sets_t closed_q;                  // of its planes
-    pipegs_pkg::closed_t refit_closed_q;     // of those that are made
-    logic [1:0]          stale;
+    logic [ClosedBits-1:0] closed [2];      // of the walk of either set
+    logic [ClosedBits-1:0] closed_q [2];    // of its planes
+    logic [ClosedBits-1:0] refit_closed_q;  // of those that are made
+    logic                  set_q, busy_q;
+    logic [1:0]            stale;
     for (genvar s = 0; s < 2; s += 1) begin : gen_set
       pipegs_closed u_closed (
         .open_i,
         .place_i(place_q[s]),
-        .closed_o(closed.of[s])
+        .closed_o(closed[s])
       );
-      assign stale[s] = valid_q[s] && !set_counts_o[s] && closed.of[s] != '0 && closed.of[s] != closed_q.of[s];
+      assign stale[s] = valid_q[s] && !set_counts_o[s] && closed[s] != '0 && closed[s] != closed_q[s];
     end
     // A set filled holds on to dopu_planes until it is taken, so it is asked for only when it can be.
-    assign fill_due     = more_q && !asking_q && !counts_q && !valid_q[fill_q] && !refit_q;
-    assign refit_due    = !fill_due && !asking_q && !refit_q && stale != '0;
+    assign fill_due     = more_q && !asking_q && !counts_q && !valid_q[fill_q] && !refitting;
+    assign refit_due    = !fill_due && !asking_q && !refitting && stale != '0;
     assign refit_pick   = stale[oldest_q] ? oldest_q : !oldest_q;
-    assign refit_closed = fill_due ? '0 : closed.of[refit_pick];
-    assign refit        = planes_valid && refit_q;
+    assign refit_closed = fill_due ? '0 : closed[refit_pick];
+    assign refit        = planes_valid && refitting;
     always_ff @(posedge clk_i or negedge rst_ni) begin
-      if (!rst_ni) refit_q <= 1'b0;
-      else if (refit_due && window_ready) refit_q <= 1'b1;
-      else if (refit) refit_q <= 1'b0;
+      if (!rst_ni) busy_q <= 1'b0;
+      else if (refit_due && window_ready) busy_q <= 1'b1;
+      else if (refit) busy_q <= 1'b0;
     end
+    assign refitting = busy_q;
+    assign refit_set = set_q;
     always_ff @(posedge clk_i) begin
       if (refit_due && window_ready) begin
-        refit_set_q    <= refit_pick;
+        set_q          <= refit_pick;
         refit_closed_q <= refit_closed;
       end
       // A set that was released meanwhile is not filled before: what it gets does no harm.
-      if (refit) closed_q.of[refit_set_q] <= refit_closed_q;
-      if (fill) closed_q.of[fill_q] <= '0;
+      if (refit) closed_q[refit_set] <= refit_closed_q;
+      if (fill) closed_q[fill_q] <= '0;
     end
   end else begin : gen_no_refit
     assign fill_due     = more_q && !asking_q && !counts_q;
     assign refit_due    = 1'b0;
-    assign refit_q      = 1'b0;
+    assign refitting    = 1'b0;
     assign refit        = 1'b0;
     assign refit_pick   = 1'b0;
-    assign refit_set_q  = 1'b0;
+    assign refit_set    = 1'b0;
     assign refit_closed = '0;
     logic unused_open;
     assign unused_open  = ^open_i;
@@ -267,7 +270,7 @@ module dopu_windows (
     end
   end
   always_ff @(posedge clk_i) done_q <= done_d;
-  assign done_news_o = done_d != done_q || refit_due || refit_q;
+  assign done_news_o = done_d != done_q || refit_due || refitting;
   assign set_done_o = done_q & valid_q;
 
 `ifndef SYNTHESIS

@@ -373,25 +373,26 @@ module pu_cull (
   logic signed [SideW-1:0] open_near_x7, open_near_y7, open_bx7, open_by7;
   if (pipegs_pkg::Occlusion != 0) begin : gen_open
     localparam int unsigned RegionF = 3 + EdgeF;
-    pipegs_pkg::closed_t     closed4, closed5_q, closed6_q;
+    localparam int unsigned ClosedW = pipegs_pkg::ClosedW;
+    logic [4*ClosedW-1:0]    closed4, closed5_q, closed6_q;  // left, right, top, bottom
     logic signed [SideW-1:0] open_near_x7_q, open_near_y7_q, closed_x7_q, closed_y7_q;
     pipegs_closed u_closed (
       .open_i,
       .place_i(ride4.place),
       .closed_o(closed4)
     );
-    function automatic logic signed [SideW-1:0] aside(input logic [pipegs_pkg::ClosedW-1:0] regions,
-                                                      input logic signed [MagW:0]           z);
+    function automatic logic signed [SideW-1:0] aside(input logic [ClosedW-1:0]   regions,
+                                                      input logic signed [MagW:0] z);
       aside = ($signed(SideW'(regions)) * SideW'(z)) <<< RegionF;
     endfunction
     always_ff @(posedge clk_i) begin
       if (load[5]) closed5_q <= closed4;
       if (load[6]) closed6_q <= closed5_q;
       if (load[7]) begin
-        open_near_x7_q <= SideW'(near_x6) - (aside(closed6_q.left, cz6_q) <<< ToEdge);
-        open_near_y7_q <= SideW'(near_y6) - (aside(closed6_q.top, cz6_q) <<< ToEdge);
-        closed_x7_q    <= aside(closed6_q.right, cz6_q);
-        closed_y7_q    <= aside(closed6_q.bottom, cz6_q);
+        open_near_x7_q <= SideW'(near_x6) - (aside(closed6_q[0 +: ClosedW], cz6_q) <<< ToEdge);
+        open_near_y7_q <= SideW'(near_y6) - (aside(closed6_q[2*ClosedW +: ClosedW], cz6_q) <<< ToEdge);
+        closed_x7_q    <= aside(closed6_q[ClosedW +: ClosedW], cz6_q);
+        closed_y7_q    <= aside(closed6_q[3*ClosedW +: ClosedW], cz6_q);
       end
     end
     assign open_near_x7 = open_near_x7_q;

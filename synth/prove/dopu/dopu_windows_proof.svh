@@ -8,6 +8,8 @@
 //         window; a window is left with its whole or its last part; where windows are counted each is judged once; the
 //         last walk of the frame is marked. A set is called done only if every region of its own walk was done in the
 //         cycle before: never on account of a walk that it held earlier.
+//         With Occlusion planes of a set change only to those of its own walk, asked for with what pipegs_open said of
+//         that walk of that window.
 // Assumes Of dopu_planes the rule of free_planes; of the walk: a set is walked when it shows, released in turn when
 //         walked, judged when walked to be counted; a frame begins when no set is held, and stays.
 // Invariant  The sets held (walked or not) lie between the turns of release and of filling; what is filled next follows
@@ -28,6 +30,9 @@ logic               counts_before_q;
 pipegs_pkg::rotation_t rotation_before_q;
 pipegs_pkg::lens_t     lens_before_q;
 pipegs_pkg::raster_t   raster_before_q;
+logic [1:0]         refit_before_q;          // the set's planes were made anew in the cycle before
+logic [PlaceW-1:0]  asked_q;                 // the walk that dopu_planes has
+logic [ClosedBits-1:0] said;                 // by pipegs_open of the walk asked for
 logic frame_stays;
 assign frame_stays = rotation_i == rotation_before_q && lens_i == lens_before_q && raster_i == raster_before_q &&
                      counts_i == counts_before_q;
@@ -74,6 +79,11 @@ function automatic logic last_at(input logic [PlaceW-1:0] at);
   last_at = Whole || (ends_at(at) && at[2*WindowW-1:0] == frame_last);
 endfunction
 
+assign said = walk_at(place_q[refit_pick]) == 3'd4 ? open_i.part_0 :
+              walk_at(place_q[refit_pick]) == 3'd5 ? open_i.part_1 :
+              walk_at(place_q[refit_pick]) == 3'd6 ? open_i.part_2 :
+              walk_at(place_q[refit_pick]) == 3'd7 ? open_i.part_3 : open_i.whole;
+
 logic real_fill, real_walked, some;
 assign real_fill   = whole || (fill && !count);
 assign real_walked = walked_i && !set_counts_o[walk_q];
@@ -97,7 +107,9 @@ always_ff @(posedge clk_i or negedge rst_ni) begin
     fresh_count_q  <= 1'b0;
     began_q        <= 1'b0;
     valid_before_q <= '0;
+    refit_before_q <= '0;
   end else begin
+    refit_before_q <= {refit && refit_set, refit && !refit_set};
     held_q         <= held_q + 2'(real_fill) - 2'(release_i);
     to_walk_q      <= to_walk_q + 2'(real_fill) - 2'(real_walked);
     left_q         <= start_i || (left_q && !(real_walked && set_last_o[walk_q]));
@@ -109,6 +121,7 @@ always_ff @(posedge clk_i or negedge rst_ni) begin
   end
 end
 always_ff @(posedge clk_i) begin
+  if (window_valid && window_ready) asked_q <= fill_due ? place : place_q[refit_pick];
   rotation_before_q <= rotation_i;
   lens_before_q     <= lens_i;
   raster_before_q   <= raster_i;
@@ -138,10 +151,16 @@ always_comb begin
       if (valid_before_q[s]) begin
         assert (place_q[s] == place_before_q[s]);
         assert (set_last_o[s] == last_before_q[s] && set_ends_o[s] == ends_before_q[s]);
-        assert (planes_bit[s] == bit_before_q[s]);
+        assert (refit_before_q[s] || planes_bit[s] == bit_before_q[s]);
       end
       assert (!set_done_o[s] || (valid_before_q[s] && region_before_q[s]));
     end
+    // planes made anew
+    assert (!(fill_due && refit_due) && !(asking_q && refitting));
+    assert (!refit_due || (valid_q[refit_pick] && !set_counts_o[refit_pick] && open_i.known && refit_closed == said &&
+                           {open_i.window_y, open_i.window_x} == place_q[refit_pick][2*WindowW-1:0]));
+    assert (!refitting || !valid_q[refit_set] || asked_q == place_q[refit_set]);
+    assert (!refitting || !set_counts_o[refit_set] || !valid_q[refit_set]);
     // what is shown to be walked
     if (to_walk_q != 2'd0) begin
       assert (left_q && set_valid_o[walk_q] && !set_counts_o[walk_q]);
@@ -158,7 +177,7 @@ always_comb begin
     assert (!fresh_count_q || counts_q);
     assert (fill_q == oldest_q ^ held_q[0] && fill_q == walk_q ^ to_walk_q[0]);
     for (int unsigned s = 0; s < 2; s += 1) assert (!valid_before_q[s] || valid_q[s]);
-    assert (asking_q == \u_planes.inside_q && (!asking_q || more_q));
+    assert ((asking_q || refitting) == \u_planes.inside_q && (!asking_q || more_q));
     assert (left_q == (more_q || to_walk_q != '0));
     if (Whole) begin
       assert (to_walk_q <= 2'd1 && (!left_q || more_q == (to_walk_q == 2'd0)));
