@@ -88,6 +88,8 @@ module pipegs_open (
       assign part[p] = closed_of(SideX'(columns[p*PartX +: PartX]), SideX'(rows[p*PartX +: PartX]), PartX);
     end else begin : gen_none
       assign part[p] = '0;
+      logic unused_lines;
+      assign unused_lines = ^{columns, rows};
     end
   end
   always_comb begin

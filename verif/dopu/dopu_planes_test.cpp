@@ -71,6 +71,7 @@ TEST(DopuPlanes, EqualsItsModelAtEveryPace) {
         if (dut.window_valid_i && dut.window_ready_o) closed.pop_front();
       },
       [&] { write_record(config, dut.closed_i, closed.empty() ? Closed{} : closed.front()); });
+  WordSink<decltype(dut.planes_o)> out(bench, dut.planes_valid_o, dut.planes_ready_i, dut.planes_o);
   bench.reset();
   for (int round = 0; round < 60; ++round) {
     in.pace = kPaces[round % 3];

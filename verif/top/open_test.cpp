@@ -80,7 +80,10 @@ TEST(OpenModel, HoldsEveryOpenRegionAndOnlyShrinks) {
           ASSERT_TRUE(inside(config, walk, one, r)) << "walk " << walk << ", region " << r;
         }
         const Closed& last = old[number++];
-        if (!some) return ASSERT_EQ(one, Closed{});
+        if (!some) {
+          ASSERT_EQ(one, Closed{});
+          return;
+        }
         ASSERT_GE(one.left, last.left);
         ASSERT_GE(one.right, last.right);
         ASSERT_GE(one.top, last.top);

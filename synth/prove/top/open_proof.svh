@@ -8,7 +8,11 @@
 
 (* anyconst *) logic [$clog2(Regions)-1:0] region;
 (* anyconst *) logic [2:0]                 walk;  // 0 the window, 1 to 4 a part
-pipegs_pkg::progress_t progress_before_q;
+localparam int unsigned WindowW = pipegs_pkg::WindowW;
+localparam int unsigned DoneW   = Units * Regions;
+localparam int unsigned PlaceAt = Units * WindowW;
+logic [DoneW+2*PlaceAt-1:0] progress, progress_before_q;  // windows above what is done
+assign progress = progress_i;
 pipegs_pkg::open_t     open_before_q;
 logic                  two_q;  // what was before is what came in
 logic [Bits-1:0]       now, before;
@@ -29,7 +33,7 @@ always_comb begin
   region_open = 1'b1;
   some        = 1'b0;
   for (int unsigned j = 0; j < Units; j += 1) begin
-    if ((in_part % PartX + Units / 2 * (in_part / PartX)) % Units == j && progress_i.done[j][region])
+    if ((in_part % PartX + Units / 2 * (in_part / PartX)) % Units == j && progress[j*Regions + 32'(region)])
       region_open = 1'b0;
   end
   for (int unsigned r = 0; r < Regions; r += 1) begin
@@ -56,13 +60,13 @@ always_ff @(posedge clk_i or negedge rst_ni) begin
     open_before_q <= open_q;
   end
 end
-always_ff @(posedge clk_i) progress_before_q <= progress_i;
+always_ff @(posedge clk_i) progress_before_q <= progress;
 
-assign same = progress_i.x == progress_before_q.x && progress_i.y == progress_before_q.y;
+assign same = progress[DoneW +: 2*PlaceAt] == progress_before_q[DoneW +: 2*PlaceAt];
 always_comb begin
   assume (32'(region) < Regions);
   assume (walk <= 3'd4);
-  assume (!rst_ni || !two_q || !same || (progress_before_q.done & ~progress_i.done) == '0);
+  assume (!rst_ni || !two_q || !same || (progress_before_q[0 +: DoneW] & ~progress[0 +: DoneW]) == '0);
   if (rst_ni && open_q.known) begin
     if (in_walk && region_open_q) begin
       assert (x >= 32'(now[0 +: ClosedW]) && x + 32'(now[ClosedW +: ClosedW]) < side);
@@ -78,7 +82,8 @@ always_comb begin
   // invariants
   if (rst_ni && two_q) begin
     for (int unsigned j = 0; j < Units; j += 1) begin
-      if (open_q.known) assert (progress_before_q.x[j] == open_q.window_x && progress_before_q.y[j] == open_q.window_y);
+      assert (!open_q.known || (progress_before_q[DoneW + j*WindowW +: WindowW] == open_q.window_x &&
+                                progress_before_q[DoneW + PlaceAt + j*WindowW +: WindowW] == open_q.window_y));
     end
   end
 end
