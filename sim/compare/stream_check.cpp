@@ -208,8 +208,8 @@ bool StreamCheck::closed_before(const Window& window, uint64_t index, uint64_t w
       for (uint64_t rest = found->second->splat.mask; rest != 0; rest &= rest - 1) {
         const auto region = static_cast<size_t>(region_number(config_, part, std::countr_zero(rest)));
         const std::vector<Line>& lines = window.lines[region];
-        const auto line = std::find_if(lines.begin(), lines.end(),
-                                       [&](const Line& one) { return one.splat == found->second; });
+        const auto line =
+            std::find_if(lines.begin(), lines.end(), [&](const Line& one) { return one.splat == found->second; });
         if (static_cast<size_t>(line - lines.begin()) < window.shown[region]) return false;
       }
     }
@@ -238,8 +238,8 @@ void StreamCheck::expect_all(uint64_t ordinal) {
   const auto open = [&](const Chunk& chunk) {
     bool some = false;
     for (int r = 0; r < config_.regions(); ++r) {
-      some = some ||
-             (walk_has(config_, chunk.walk, static_cast<uint64_t>(region_part(config_, r))) && !now.done.has(config_, r));
+      some = some || (walk_has(config_, chunk.walk, static_cast<uint64_t>(region_part(config_, r))) &&
+                      !now.done.has(config_, r));
     }
     if (!some || !config_.occlusion) return some;
     for (uint64_t k = 0; k < chunk.count; ++k) {

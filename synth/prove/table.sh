@@ -306,8 +306,8 @@ mutant "splats of the next frame are let in" "s/(hold_o *= )enter_q == '0/\11'b0
 mutant "the RUs are heard while they finish the frame before" 's/(listen_o *= )!ahead_q \&\& /\1/'
 
 # Of a window with parts that may be walked alone, and of smaller ones.
-proof  open "pipegs_open+ ru_own" "@late=1,order=2,window=32,occlusion=1; @late=1,order=2,window=128,quads=1,occlusion=1;
-       @late=1,order=2,window=32,units=2,occlusion=1"
+proof  open "pipegs_open+ ru_own" "@late=1,order=2,window=32,occlusion=1;
+       @late=1,order=2,window=128,quads=1,occlusion=1; @late=1,order=2,window=32,units=2,occlusion=1"
 mutant "one region short on the left" "s/from_low\(x\)\}/ClosedW'(from_low(x) + (x != 0))}/"
 mutant "one region short on the right" "s/from_high\(x, side\),/ClosedW'(from_high(x, side) + (x != 0)),/"
 mutant "one region short above" "s/from_low\(y\),/ClosedW'(from_low(y) + (y != 0)),/"

@@ -92,8 +92,7 @@ TEST(DopuPlanes, EqualsItsModelAtEveryPace) {
         closed.back().left = 0;
       if (top + static_cast<uint64_t>(walk_square(config, walk).y) + 8 * closed.back().top >= frame.raster.height)
         closed.back().top = 0;
-      expected.push_back(
-          dopu_planes(config, frame, static_cast<int>(x), static_cast<int>(y), walk, closed.back()));
+      expected.push_back(dopu_planes(config, frame, static_cast<int>(x), static_cast<int>(y), walk, closed.back()));
     }
     ASSERT_TRUE(bench.run_until([&] { return out.beats.size() == first + expected.size(); }));
     const int width = record_width<Plane>(config);

@@ -22,10 +22,7 @@ Closed random_closed(const Config& config, uint64_t walk, Rng& rng) {
 
 template <class Rng>
 Open random_open(const Config& config, uint64_t window_x, uint64_t window_y, Rng& rng) {
-  Open open{.known = 1,
-            .window_x = window_x,
-            .window_y = window_y,
-            .whole = random_closed(config, kWholeWalk, rng)};
+  Open open{.known = 1, .window_x = window_x, .window_y = window_y, .whole = random_closed(config, kWholeWalk, rng)};
   if (!config.has_walks()) return open;
   uint64_t part = 0;
   for (Closed* one : {&open.part_0, &open.part_1, &open.part_2, &open.part_3})

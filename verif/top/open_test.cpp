@@ -13,8 +13,8 @@ namespace {
 // RUs that close regions of a window, and go on to the next one each in its own time.
 struct Closing {
   const Config& config;
-  std::vector<RegionSet> done;       // of each RU
-  std::vector<uint64_t> window;      // of each RU, its number
+  std::vector<RegionSet> done;   // of each RU
+  std::vector<uint64_t> window;  // of each RU, its number
   explicit Closing(const Config& c) : config(c), done(static_cast<size_t>(c.units)), window(done.size()) {}
   static uint64_t x_of(uint64_t window) { return window % 7; }
   static uint64_t y_of(uint64_t window) { return window / 7; }
@@ -26,9 +26,7 @@ struct Closing {
     for (const RegionSet& one : done) sum |= one;
     return sum;
   }
-  Open expected() const {
-    return together() ? open_of(config, all(), x_of(window[0]), y_of(window[0])) : Open{};
-  }
+  Open expected() const { return together() ? open_of(config, all(), x_of(window[0]), y_of(window[0])) : Open{}; }
   void write(Vpipegs_open& dut) const {
     Words bits(sizeof(dut.progress_i) / 4 + 2);
     const int units = config.units, regions = config.regions(), w = config.window_w();
@@ -135,8 +133,8 @@ TEST(Open, SaysACycleLaterWhatTheRusShow) {
     known += found.known, apart += !found.known, some += !(found.whole == Closed{});
     // The next cycle.
     for (size_t u = 0; u < rus.done.size(); ++u) {
-      const bool ahead = std::any_of(rus.window.begin(), rus.window.end(),
-                                     [&](uint64_t one) { return one > rus.window[u]; });
+      const bool ahead =
+          std::any_of(rus.window.begin(), rus.window.end(), [&](uint64_t one) { return one > rus.window[u]; });
       if (ahead ? rng() % 4 == 0 : rus.together() && rng() % 300 == 0) {
         ++rus.window[u];
         rus.done[u] = {};

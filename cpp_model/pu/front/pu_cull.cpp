@@ -38,8 +38,8 @@ int64_t scale_in_view(const Config& c, uint64_t scale, uint64_t opacity, uint64_
 // `gap`: how far x is beyond them, times z. Of the pixels so many at either end are closed: the test leaves them out, the
 // gap does not.
 bool touches(const Config& c, int64_t x, int64_t z, int64_t s, uint64_t focal, uint64_t reach, int64_t center,
-             int64_t pixel, int64_t pixels, int64_t low_closed, int64_t high_closed, int64_t& gap,
-             int64_t* low_most, int64_t* high_most) {
+             int64_t pixel, int64_t pixels, int64_t low_closed, int64_t high_closed, int64_t& gap, int64_t* low_most,
+             int64_t* high_most) {
   const int64_t first = (pixel - c.reach_margin()) * (1 << kEdgeF);
   const int64_t a = first - shift_ceil(center, c.center_f() - kEdgeF);       // s17.4, rounded down
   const int64_t span = ((pixels - 1 + 2 * c.reach_margin()) << kEdgeF) + 1;  // covers the rounding of a
@@ -98,12 +98,12 @@ std::optional<Visible> pu_cull(const Config& c, const Frame& frame, const Fetche
   const auto regions = [](uint64_t closed) { return static_cast<int64_t>(closed) * 8; };
   const bool touches_x =
       touches(c, cut_x, cut_z, cut_s, frame.lens.focal_x, frame.lens.reach_x, frame.lens.center_x,
-              first(in.window_x, square.x), pixels(in.window_x, frame.raster.windows.last_x),
-              regions(closed.left), regions(closed.right), found.gap_x, asked ? &most_left : nullptr, &most_right);
+              first(in.window_x, square.x), pixels(in.window_x, frame.raster.windows.last_x), regions(closed.left),
+              regions(closed.right), found.gap_x, asked ? &most_left : nullptr, &most_right);
   const bool touches_y =
       touches(c, cut_y, cut_z, cut_s, frame.lens.focal_y, frame.lens.reach_y, frame.lens.center_y,
-              first(in.window_y, square.y), pixels(in.window_y, frame.raster.windows.last_y),
-              regions(closed.top), regions(closed.bottom), found.gap_y, asked ? &most_top : nullptr, &most_bottom);
+              first(in.window_y, square.y), pixels(in.window_y, frame.raster.windows.last_y), regions(closed.top),
+              regions(closed.bottom), found.gap_y, asked ? &most_top : nullptr, &most_bottom);
   if (!huge && !(touches_x && touches_y)) return std::nullopt;
   if (gap != nullptr) *gap = found;
   if (asked) {

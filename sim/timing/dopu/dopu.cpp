@@ -118,8 +118,8 @@ void Dopu::emit(Machine& m, DopuCycle& cycle) {
   emit_chunk_ = {};
   if (shifted_.data()) {
     const TimingNode& node = m.trace.chunks[shifted_.node];
-    emit_chunk_ = {0, node.first, node.count, shifted_.chunk->first, shifted_.chunk->survivors, 0,
-                   shifted_.chunk->walk};
+    emit_chunk_ = {0, node.first,          node.count, shifted_.chunk->first, shifted_.chunk->survivors,
+                   0, shifted_.chunk->walk};
     emit_last_ = round_robin(ready, emit_last_);
     emit_valid_ = uint32_t{1} << emit_last_;
     had_chunk_ = true;

@@ -23,11 +23,11 @@ struct DopuItem {
 // A set of planes: a walk.
 struct DopuSet {
   bool valid = false, fresh = false, last = false, done = false;
-  bool counts = false;  // it is walked only to be counted
-  size_t walk = 0;      // of TimingTrace::walks
+  bool counts = false;           // it is walked only to be counted
+  size_t walk = 0;               // of TimingTrace::walks
   Closed closed, closed_before;  // Occlusion: of its walk, in its planes; and before `closed_from`
   Cycle closed_from = 0;
-  size_t chunk = 0;     // of its chunks that pass, the next one to enter the test (orders 0 and 1)
+  size_t chunk = 0;  // of its chunks that pass, the next one to enter the test (orders 0 and 1)
 };
 
 // Whether a node passes that entered the test so long ago that its planes were those of these cycles: RTL

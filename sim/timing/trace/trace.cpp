@@ -154,7 +154,7 @@ class WindowTrace {
       const int own_bucket = config_.has_watermarks() ? bucket(node, group_bucket) : 0;
       Chunk chunk = dopu_origin(config_, frame_, node, x_, y_);
       chunk.walk = walk().walk;
-      TimingChunk sent{static_cast<uint32_t>(i), static_cast<uint32_t>(part_.slot.size()), 0,
+      TimingChunk sent{static_cast<uint32_t>(i),          static_cast<uint32_t>(part_.slot.size()),      0,
                        static_cast<uint16_t>(own_bucket), static_cast<uint32_t>(part_.walks.size() - 1), own_sides};
       for (uint64_t k = 0; k < chunk.count; ++k) {
         bool dropped = false;

@@ -274,8 +274,8 @@ struct Shrinking : Endpoint {
     }
     if (bench.rng() % 50 == 0)  // some other window
       return write_record(checker.config, bench.dut.open_i, random_open(checker.config, at[0] + 1, at[1], bench.rng));
-    for (size_t next = walk; next < expected->walks.size() && expected->at[next][0] == at[0] &&
-                             expected->at[next][1] == at[1]; ++next) {
+    for (size_t next = walk;
+         next < expected->walks.size() && expected->at[next][0] == at[0] && expected->at[next][1] == at[1]; ++next) {
       Closed& closed = of(expected->walks[next]);
       const auto side = static_cast<uint64_t>(walk_square(checker.config, expected->walks[next]).side) / 8;
       const auto more = [&](uint64_t& one, uint64_t other) {
@@ -303,9 +303,7 @@ struct Shrinking : Endpoint {
         return !dopu_test(c, world.frame, one, node, dopu_depth_edge(c, world.frame, parent));
       });
     };
-    const auto bucket = [&](const Node& node, int parent) {
-      return dopu_depth(c, world.frame, whole, node, parent);
-    };
+    const auto bucket = [&](const Node& node, int parent) { return dopu_depth(c, world.frame, whole, node, parent); };
     std::set<uint64_t> slots;
     for (const Node& cell : world.packed.cells) {
       if (cell.count == 0) continue;

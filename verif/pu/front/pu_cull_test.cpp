@@ -76,7 +76,8 @@ struct Opens : Endpoint {
   void drive() override {
     const std::optional<Open> now = coming.front();
     coming.pop_front();
-    write_record(config, bench.dut.open_i, now ? *now : random_open(config, bench.rng() % 4, bench.rng() % 4, bench.rng));
+    write_record(config, bench.dut.open_i,
+                 now ? *now : random_open(config, bench.rng() % 4, bench.rng() % 4, bench.rng));
   }
   void observe() override {
     const bool takes = bench.dut.fetched_valid_i && bench.dut.fetched_ready_o;
@@ -240,8 +241,8 @@ TEST(PuCull, ModelDropsNothingThatReachesAPixelOfTheWindow) {
       const auto side = [&](int64_t x, uint64_t focal, int64_t center, uint64_t window, int64_t walk_beside,
                             uint64_t low_closed, uint64_t high_closed, uint64_t last, double variance) {
         const auto beside = walk_beside + 8 * static_cast<int64_t>(low_closed);
-        const double most = side_pixels(config, in.walk, window, last) - 1 -
-                            8 * static_cast<double>(low_closed + high_closed);
+        const double most =
+            side_pixels(config, in.walk, window, last) - 1 - 8 * static_cast<double>(low_closed + high_closed);
         const double m = real(focal, config.focal_f()) * static_cast<double>(x) / static_cast<double>(v.view_z) +
                          real(center, config.center_f()) - static_cast<double>(window) * config.window -
                          static_cast<double>(beside);
