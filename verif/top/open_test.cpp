@@ -60,7 +60,7 @@ bool inside(const Config& config, uint64_t walk, const Closed& closed, int regio
 TEST(OpenModel, HoldsEveryOpenRegionAndOnlyShrinks) {
   const Config config = test_config();
   std::mt19937_64 rng(test_seed());
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < 20; ++i) {
     RegionSet closed;
     Open before = open_of(config, closed, 0, 0);
     for (int step = 0; step < 60; ++step) {
@@ -96,7 +96,7 @@ TEST(OpenModel, HoldsEveryOpenRegionAndOnlyShrinks) {
 TEST(OpenModel, IsTheSmallestRectangle) {
   const Config config = test_config();
   std::mt19937_64 rng(test_seed());
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < 200; ++i) {
     RegionSet closed = ~RegionSet{};
     for (uint64_t k = 1 + rng() % 5; k > 0; --k) {
       const int r = static_cast<int>(rng() % static_cast<uint64_t>(config.regions()));
@@ -123,7 +123,7 @@ TEST(Open, SaysACycleLaterWhatTheRusShow) {
   auto& rng = bench.rng;
   uint64_t known = 0, apart = 0, some = 0;
   uint64_t kind = 0;  // of the window: some regions, none, all at once, all but one, row by row
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < 4000; ++i) {
     const Open expected = rus.expected();
     rus.write(bench.dut);
     bench.step();
@@ -152,9 +152,9 @@ TEST(Open, SaysACycleLaterWhatTheRusShow) {
       }
     }
   }
-  EXPECT_GT(known, 5000u);
-  EXPECT_GT(apart, 100u);
-  EXPECT_GT(some, 1000u);
+  EXPECT_GT(known, 1000u);
+  EXPECT_GT(apart, 20u);
+  EXPECT_GT(some, 200u);
 }
 
 // What another RU says of a region is not heard: only its owner knows.

@@ -459,8 +459,8 @@ module pu_cull (
   end
 
   // Of the normalised sizes only the shift is used.
-  wire unused_bits = &{1'b0, lens_i, windows_i, normal, ride1, ride2, ride3, ride4, ride6, half6, fetched_bits,
-                       s4_q[ViewW-1], size3[HighW-1:ViewW]};
+  wire unused_bits = &{1'b0, lens_i, windows_i, normal, near_x7_q, near_y7_q, ride1, ride2, ride3, ride4, ride6, half6,
+                       fetched_bits, s4_q[ViewW-1], size3[HighW-1:ViewW]};
 
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni)
