@@ -273,7 +273,8 @@ struct Shrinking : Endpoint {
       }
     }
     if (bench.rng() % 50 == 0)  // some other window
-      return write_record(checker.config, bench.dut.open_i, random_open(checker.config, at[0] + 1, at[1], bench.rng));
+      return write_record(checker.config, bench.dut.open_i,
+                          random_open(checker.config, at[0] + 1000, at[1], bench.rng));
     for (size_t next = walk;
          next < expected->walks.size() && expected->at[next][0] == at[0] && expected->at[next][1] == at[1]; ++next) {
       Closed& closed = of(expected->walks[next]);
