@@ -28,5 +28,6 @@ inline int x_marks() { static const int v = knob("X_MARKS", 0); return v; }  // 
 inline int x_fire() { static const int v = knob("X_FIRE", 0); return v; }  // both halves of a region in a cycle
 inline int x_origin() { static const int v = knob("X_ORIGIN", 9); return v; }  // cycles of a chunk in dopu_origin
 inline int x_log() { static const int v = knob("X_LOG", 0); return v; }
+inline int x_episode() { static const int v = knob("X_EPISODE", 0); return v; }  // a spill ends with the next watermark
 inline int x_oracle() { static const int v = knob("X_ORACLE", 0); return v; }
 }

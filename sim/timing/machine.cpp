@@ -96,6 +96,7 @@ Cycle Machine::run() {
     for (size_t i = 0; i < trace.walks.size(); ++i)
       fprintf(stderr, "walk %zu window %zu %c%d peak %d done %d last %d end %lld\n", i, trace.walks[i].window, trace.walks[i].variant, trace.walks[i].place, walk_peak[i], walk_done[i], walk_last[i], static_cast<long long>(i < walk_ends.size() ? walk_ends[i] : -1));
     uint64_t quads = 0;
+    for (Su& one : su) fprintf(stderr, "su episodes %llu spilled %llu refilled %llu again %llu\n", static_cast<unsigned long long>(one.episodes_), static_cast<unsigned long long>(one.spilled_), static_cast<unsigned long long>(one.refilled_), static_cast<unsigned long long>(one.again_));
     for (Ru& one : ru) {
       quads += one.live_.issued_;
       fprintf(stderr, "ru quads/4 %llu halves %llu regions %llu blocked %llu hazards/4 %llu\n", static_cast<unsigned long long>(one.live_.issued_ / 4), static_cast<unsigned long long>(one.live_.fired_), static_cast<unsigned long long>(one.live_.picked_), static_cast<unsigned long long>(one.live_.blocked_), static_cast<unsigned long long>(one.live_.hazard_ / 4));

@@ -3,7 +3,7 @@ set -e
 cd /src; mkdir -p /src/exp/obj
 for f in "$@"; do
   o=/src/exp/obj/$(basename $f .cpp).o
-  if [ ! -e $o ] || [ -n "$(find sim/timing $f -newer $o -name "*.?pp" | head -1)" ]; then
+  src=$(grep -o "\"sim/timing/[^\"]*cpp" $f | tr -d \"); h=$(find sim/timing -name "*.hpp" -newer $o 2>/dev/null | head -1); if [ ! -e $o ] || [ -n "$h" ] || [ -n "$(find $src $f -newer $o | head -1)" ]; then
     clang++ -DFMT_SHARED -I/src -isystem /usr/include/OpenEXR -isystem /usr/include/Imath -O2 -ffp-contract=off -fPIC -std=c++20 -fno-access-control -c $f -o $o
   fi
 done

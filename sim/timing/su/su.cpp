@@ -39,6 +39,7 @@ void Su::step(Machine& m, Cycle now) {
   }
   if (lists_) m.wheel.wake_now(unit(kLists));
   port(m, now);
+  if (refilling()) refill(now);
   const Now is = spill_ == kSpillIdle && collect_ != kSpill ? look<false>(m, now) : look<true>(m, now);
   divert(now, is);
   emit(now, is);
@@ -125,9 +126,11 @@ Su::Now Su::look(const Machine& m, Cycle now) {
   is.kept = keeps && is.emit_item && is.emit_ready;
   is.item_goes = is.item && is.emit_ready && !is.mark_first && (!is.sends || mark);
   is.spill_done = is.mark_first && head.all && is.emit_ready;
+  is.episode_mark = is.mark_first && !head.all && is.emit_ready && x_episode() != 0;
 
   // What comes in.
-  is.in = in_.valid(now) ? &in_.front().splat : nullptr;
+  is.refilling = refilling();
+  is.in = is.refilling ? (refill_in_ < refill_got_ ? &refill_[refill_in_].splat : nullptr) : in_.valid(now) ? &in_.front().splat : nullptr;
   is.data = is.in != nullptr && !is_end(is.in->beat);
   is.open = collect_ == kCollect && !closed_[set_];
   const bool insert = is.data && is.open && slot_valid(now);
@@ -183,7 +186,7 @@ Su::Now Su::look(const Machine& m, Cycle now) {
   // Collect.
   is.record = Spills ? shown_record(now) : kNoRecord;
   is.spill_start =
-      is.data && is.open && used_ == records_ && (is.drained || (marks_cut_ && m.other_spills(lane_, now)));
+      is.data && is.open && used_ == records_ && (is.drained || (x_episode() == 0 && marks_cut_ && m.other_spills(lane_, now)));
   is.write = is.insert;
   is.mark_push = is.in != nullptr && !is.data && (is.open || collect_ == kSpill) && marks_.room(now);
   is.taken = is.write || is.mark_push || (is.record == kFromIn && record_taken_);
@@ -211,6 +214,7 @@ void Su::collect(Machine& m, Cycle now, const Now& is) {
     if (x_log() != 0) m.walk_peak[walk_] = std::max(m.walk_peak[walk_], used_);
   }
   const Collect before = collect_;
+  if (is.spill_start) again_ += is.refilling;
   if (is.spill_start && x_log() != 0) m.spills.push_back({now, lane_, walk_, mark_in_, m.sent_bucket, m.sent_walk});
   const bool all = is.in != nullptr && (!marks_cut_ || is.in->beat != kLayerEndBeat);
   switch (collect_) {
@@ -218,7 +222,7 @@ void Su::collect(Machine& m, Cycle now, const Now& is) {
       if (is.spill_start) collect_ = kSpill;
       break;
     case kSpill:
-      if (is.mark_push && all) collect_ = kSort;
+      if (is.mark_push && (all || x_episode() != 0)) collect_ = kSort;
       break;
     case kSort:
       if (is.spill_done) collect_ = kCollect;
@@ -237,7 +241,15 @@ void Su::collect(Machine& m, Cycle now, const Now& is) {
     spill_turned_ = now;
     for (int k = 0; k < m.units; ++k) m.wheel.wake(unit(kSu, k), now + 1);
   }
-  if (is.taken) in_.pop(now), moved_ = true;
+  if (is.taken) {
+    if (is.refilling) {
+      ++refill_in_;
+    } else {
+      in_.pop(now);
+    }
+    moved_ = true;
+  }
+  if (refilling()) moved_ = true;
 }
 
 // The stage in front of the unit.

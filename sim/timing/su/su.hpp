@@ -72,7 +72,7 @@ class Su {
   }  // a register: as this cycle began
 
  private:
-  static constexpr int kAnswers = Config::su_answers(), kKeysPerLine = 8, kGroup = 16, kRecordLine = -1;
+  static constexpr int kAnswers = Config::su_answers(), kKeysPerLine = 8, kGroup = 16, kRecordLine = -1, kRefillLine = -2, kRefillKeys = -3;
   static constexpr uint32_t kNil = ~uint32_t{0};
 
   struct Arrived {
@@ -101,7 +101,7 @@ class Su {
   enum Operation { kNone, kInsert, kWord, kEntry };
   enum Spill { kSpillIdle, kWait, kRelease, kDrain, kClose, kSend };
   enum Source { kNoRecord, kFromIn, kFromBack };
-  enum Choice { kNothing, kRecord, kKeys, kRun, kFetch, kRead };
+  enum Choice { kNothing, kRecord, kKeys, kRun, kFetch, kRead, kRefill };
   enum Form { kFormIdle, kLoad, kGroupGoes, kSortRun };
   enum Level { kForm, kSize, kSetup, kStart, kMerge, kSent };
   enum Tree { kTreeIdle, kLook, kTake, kCompare };
@@ -280,6 +280,16 @@ class Su {
        line_used_ = false;  // in this cycle
 
   bool moved_ = false;
+
+  // What an episode leaves in memory comes back as input.
+  bool keeping_ = false, refill_keys_due_ = false, refill_taken_ = false;
+  std::vector<Sorted> refill_;
+  size_t refill_asked_ = 0, refill_got_ = 0, refill_in_ = 0;
+  uint32_t sent_out_ = 0;
+  uint64_t episodes_ = 0, spilled_ = 0, refilled_ = 0, again_ = 0;
+  bool refilling() const { return refill_in_ < refill_.size(); }
+  void refill(Cycle now);
+  void end_episode();
 };
 
 // What the parts say in a cycle, from the registers as it began.
@@ -299,7 +309,7 @@ struct Su::Now {
   // collect
   const Splat* in;
   Source record;
-  bool data, open, taken, write, spill_start, mark_push;
+  bool data, open, taken, write, spill_start, mark_push, refilling, episode_mark;
 };
 
 }  // namespace pipegs::timing

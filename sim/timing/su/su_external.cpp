@@ -13,7 +13,8 @@ void Su::external(Cycle now, const Now& is) {
   External& e = external_;
   if (is.spilled || is.spill_start) moved_ = true;
   // What the parts say, from the registers as the cycle began.
-  const bool line = answers_.valid(now) && owners_.front() != kRecordLine;
+  const bool line = answers_.valid(now) && owners_.front() >= 0;
+  if (is.item_goes && is.sends) ++sent_out_;
   const bool forms = e.level == kForm, written = e.written(), merged = e.tree == kTreeIdle;
   const bool setup = e.level == kSetup, start = e.level == kStart;
   const bool formed = spill_ == kSend && e.form == kFormIdle && e.first * kKeysPerLine >= records_out_.size();
@@ -33,7 +34,21 @@ void Su::external(Cycle now, const Now& is) {
     }
   }
   merge_levels(is, forms ? formed : merged && (e.last || written));
+  if (is.episode_mark) {
+    if (is.sent_all) {
+      end_episode();
+    } else {
+      keeping_ = true;
+      e.last = false;
+      e.lines_left = static_cast<uint32_t>(records_out_.size()) - sent_out_;
+      e.lines_place = 0;
+      e.lines_number = 0;
+      e.merged.clear();
+      e.merged.emplace_back();
+    }
+  }
   if (is.spill_start) {
+    sent_out_ = 0;
     e.first = 0;
     const auto keys = static_cast<uint32_t>(records_ / kKeysPerLine * kKeysPerLine);
     e.lines = (keys + static_cast<uint32_t>(config_.su_run_keys()) - 1) / static_cast<uint32_t>(config_.su_run_keys());
@@ -242,6 +257,10 @@ void Su::merge_levels(const Now& is, bool done) {
     case kStart: e.level = kMerge; break;
     case kMerge:
       if (!done) break;
+      if (keeping_) {
+        end_episode();
+        break;
+      }
       if (e.merged.size() == 1) e.merged_lines = e.lines_number;
       e.level = e.last ? kSent : kSize;
       break;

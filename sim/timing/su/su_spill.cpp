@@ -13,8 +13,8 @@ uint64_t Su::overflow_line(const Machine& m, Area area, uint64_t line) const {
 }
 
 void Su::port(Machine& m, Cycle now) {
-  record_taken_ = keys_taken_ = run_taken_ = fetch_taken_ = read_taken_ = false;
-  if (spill_ == kSpillIdle && collect_ != kSpill && choice_ == kNothing && awaited_ == 0) return;
+  record_taken_ = keys_taken_ = run_taken_ = fetch_taken_ = read_taken_ = refill_taken_ = false;
+  if (spill_ == kSpillIdle && collect_ != kSpill && choice_ == kNothing && awaited_ == 0 && !refilling()) return;
   const bool shown = shown_record(now) != kNoRecord, listed = keys_listed(shown);
   const bool writes = behind_ == 0 || x_nobehind() != 0;
   if (m.memory.answered(port_)) {
@@ -31,7 +31,18 @@ void Su::port(Machine& m, Cycle now) {
     run_taken_ = choice_ == kRun;
     fetch_taken_ = choice_ == kFetch;
     read_taken_ = choice_ == kRead;
-    if (fetch_taken_ || read_taken_) {
+    refill_taken_ = choice_ == kRefill;
+    if (refill_taken_) {
+      ++flight_;
+      ++awaited_;
+      owners_.push_back(refill_keys_due_ ? kRefillKeys : kRefillLine);
+      if (refill_keys_due_) {
+        refill_keys_due_ = false;
+      } else {
+        ++refill_asked_;
+        if (refill_asked_ % kKeysPerLine == 0) refill_keys_due_ = true;
+      }
+    } else if (fetch_taken_ || read_taken_) {
       ++flight_;
       ++awaited_;
       if (read_taken_) behind_ = awaited_;
@@ -63,14 +74,40 @@ void Su::port(Machine& m, Cycle now) {
   } else if (flight_ != kAnswers && ask_) {
     choice_ = kRead;
     m.memory.ask(port_, overflow_line(m, Area::kRecords, ask_line_));
+  } else if (flight_ != kAnswers && refill_asked_ < refill_.size()) {
+    choice_ = kRefill;
+    m.memory.ask(port_, refill_keys_due_ ? overflow_line(m, Area::kRuns, refill_asked_ / kKeysPerLine)
+                                         : overflow_line(m, Area::kRecords, refill_[refill_asked_].number));
   }
+}
+
+void Su::refill(Cycle now) {
+  moved_ = true;
+  if (!answers_.valid(now) || owners_.front() > kRefillLine) return;
+  if (owners_.front() == kRefillLine) ++refill_got_;
+  answers_.pop(now), owners_.pop_front(), line_used_ = true;
+}
+
+void Su::end_episode() {
+  External& e = external_;
+  refill_.clear();
+  if (keeping_) refill_ = std::move(e.merged.back());
+  e.merged.clear();
+  refill_asked_ = refill_got_ = refill_in_ = 0;
+  refill_keys_due_ = true;
+  ++episodes_, spilled_ += records_out_.size(), refilled_ += refill_.size();
+  keeping_ = false;
+  e.level = kForm;
+  spill_ = kSpillIdle;
+  collect_ = kCollect;
 }
 
 // --- su_spill --------------------------------------------------------------------------------------------------------
 
 // The record that waits for memory: one that was shown in the cycle before goes first.
 Su::Source Su::shown_record(Cycle now) const {
-  if (!back_held_ && collect_ == kSpill && in_.valid(now) && !is_end(in_.front().splat.beat)) return kFromIn;
+  const bool from_in = refilling() ? refill_in_ < refill_got_ : in_.valid(now) && !is_end(in_.front().splat.beat);
+  if (!back_held_ && collect_ == kSpill && from_in) return kFromIn;
   return diverts() && out_.shown(now) ? kFromBack : kNoRecord;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // batch.cpp: an experiment: many runs on one trace. A line of X_BATCH is one, in a process of its own: "NAME K=V ...",
 // with PLAN=file, RECORDS=n, DRAM=name; NAME.json and NAME.err are what it says.
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -24,13 +26,32 @@ void run_batch(TimingTrace& trace) {
   const char* name = knob_text("X_BATCH");
   if (name == nullptr) return;
   std::ifstream lines(name);
-  for (std::string line; std::getline(lines, line);) {
+  const bool serve = knob("X_SERVE", 0) != 0;
+  for (std::string line; std::getline(lines, line) || serve;) {
+    if (!lines) {
+      lines.clear();
+      lines.seekg(0, std::ios::cur);
+      usleep(500000);
+      continue;
+    }
+    if (line == "quit") break;
     if (line.empty() || line[0] == '#') continue;
     std::fflush(stdout);
+    int slot = -1;
+    while (serve && slot < 0) {
+      for (const char* at : {"/work/w/slots/0", "/work/w/slots/1"}) {
+        slot = access("/work/w/quiet", F_OK) == 0 ? -1 : open(at, O_RDWR);
+        if (slot >= 0 && flock(slot, LOCK_EX | LOCK_NB) == 0) break;
+        if (slot >= 0) close(slot);
+        slot = -1;
+      }
+      if (slot < 0) usleep(1000000);
+    }
     const pid_t child = fork();
     if (child != 0) {
       int status = 0;
       waitpid(child, &status, 0);
+      if (slot >= 0) close(slot);
       if (status != 0) std::fprintf(stderr, "failed: %s\n", line.c_str());
       continue;
     }
@@ -42,7 +63,8 @@ void run_batch(TimingTrace& trace) {
       setenv(word.substr(0, at).c_str(), word.substr(at + 1).c_str(), 1);
     }
     FILE* json = std::fopen((out + ".json").c_str(), "w");
-    if (json == nullptr || std::freopen((out + ".err").c_str(), "w", stderr) == nullptr) _exit(1);
+    stderr = std::fopen((out + ".err").c_str(), "w");
+    if (json == nullptr || stderr == nullptr) _exit(1);
     Config config = trace.config;
     if (const char* records = knob_text("RECORDS")) config.records = std::atoi(records);
     ExternalMemoryOptions memory;
