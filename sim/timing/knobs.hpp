@@ -29,5 +29,7 @@ inline int x_fire() { static const int v = knob("X_FIRE", 0); return v; }  // bo
 inline int x_origin() { static const int v = knob("X_ORIGIN", 9); return v; }  // cycles of a chunk in dopu_origin
 inline int x_log() { static const int v = knob("X_LOG", 0); return v; }
 inline int x_episode() { static const int v = knob("X_EPISODE", 0); return v; }  // a spill ends with the next watermark
+inline int x_sets() { static const int v = knob("X_SETS", 2); return v; }  // in an SU
+inline int x_none() { static const int v = knob("X_NONE", 0); return v; }  // the end of an empty set turns none
 inline int x_oracle() { static const int v = knob("X_ORACLE", 0); return v; }
 }

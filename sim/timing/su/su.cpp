@@ -20,8 +20,8 @@ Su::Su(const Machine& m, int lane)
       pool_(static_cast<size_t>(records_)),
       next_slot_(static_cast<size_t>(records_)),
       marks_(x_marks() != 0 ? 1024 : m.config.su_marks()),
-      table_(size_t{2} << m.config.bucket_w()),
-      words_(size_t{2} << bits_high_) {
+      table_(size_t{8} << m.config.bucket_w()),
+      words_(size_t{8} << bits_high_) {
   external_.ways.resize(static_cast<size_t>(m.config.su_ways()));
   external_.nodes.resize(static_cast<size_t>(m.config.su_ways()));
   for (int i = records_; i-- > 0;) free_slots_.push_back(static_cast<uint32_t>(i));
@@ -209,6 +209,7 @@ void Su::collect(Machine& m, Cycle now, const Now& is) {
       --back_;
       back_pop_ = now;
     }
+    any_ = true;
     ++used_;
     m.peak_records = std::max(m.peak_records, static_cast<uint64_t>(used_));
     if (x_log() != 0) m.walk_peak[walk_] = std::max(m.walk_peak[walk_], used_);
@@ -233,8 +234,10 @@ void Su::collect(Machine& m, Cycle now, const Now& is) {
     if (all) ++walk_, mark_in_ = 0;
     const uint8_t set = set_;
     const uint32_t bucket = all ? 0 : x_part() != 0 ? in_.front().mark : static_cast<uint32_t>(su_bucket(config_, in_.front().mark, octave_));
-    marks_.push(now, {is.in->beat, set, all, before == kSpill, bucket});
-    if (all && before == kCollect) closed_[set] = true, set_ ^= 1;
+    const bool none = x_none() != 0 && all && before == kCollect && !any_;  // releases nothing
+    marks_.push(now, {is.in->beat, set, all && !none, before == kSpill, none ? 0 : bucket});
+    if (all && before == kCollect && !none) closed_[set] = true, set_ = static_cast<uint8_t>((set_ + 1) % x_sets());
+    if (all) any_ = false;
   }
   if (collect_ != before) moved_ = true;
   if ((collect_ == kSpill) != (before == kSpill)) {

@@ -214,7 +214,8 @@ class Su {
   Collect collect_ = kCollect;
   Cycle spill_turned_ = kLongAgo;  // when it began or ceased to be kSpill
   uint8_t set_ = 0;
-  std::array<bool, 2> closed_{};
+  std::array<bool, 8> closed_{};
+  bool any_ = false;  // a record since the last end
   SramQueue<Mark, 1024> marks_;
   size_t walk_ = 0;  // of what comes in
   int mark_in_ = 0;
@@ -223,7 +224,7 @@ class Su {
   Operation operation_ = kNone;
   std::vector<Chain> table_;    // of both sets
   std::vector<Bits> words_;     // filled buckets
-  std::array<Bits, 2> held_{};  // words that are not zero
+  std::array<Bits, 8> held_{};  // words that are not zero
   uint8_t insert_set_ = 0;
   uint32_t insert_slot_ = 0, insert_bucket_ = 0;
   uint32_t word_ = 0, entry_bucket_ = 0;
