@@ -31,5 +31,6 @@ inline int x_log() { static const int v = knob("X_LOG", 0); return v; }
 inline int x_episode() { static const int v = knob("X_EPISODE", 0); return v; }  // a spill ends with the next watermark
 inline int x_sets() { static const int v = knob("X_SETS", 2); return v; }  // in an SU
 inline int x_none() { static const int v = knob("X_NONE", 0); return v; }  // the end of an empty set turns none
+inline int x_mshift() { static const int v = knob("X_MSHIFT", 3); return v; }  // marks at one distance, log2; 8 times as many in a window
 inline int x_oracle() { static const int v = knob("X_ORACLE", 0); return v; }
 }

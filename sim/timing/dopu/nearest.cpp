@@ -24,7 +24,7 @@ Nearest::Nearest(const TimingTrace& trace, const Config& config)
       mark_chunks_(static_cast<uint32_t>(config.mark_chunks)),
       since_most_((uint32_t{1} << (clog2(config.mark_chunks + 1) + (Config::window_marks() >> 3))) - 1),
       near_step_(dopu_depth_near(trace.config, trace.frame)),
-      mark_shift_(config.depth_w - config.step_w()),
+      mark_shift_(trace.config.depth_w - trace.config.step_w()),
       queue_(std::make_unique<NearestQueue>(config.nearest_nodes)),
       none_((1 << trace.config.bucket_w()) - 1),
       open_{Open(trace.frame.tables.groups, none_), Open(trace.frame.tables.chunks, none_)} {}
@@ -111,8 +111,8 @@ Nearest::Said Nearest::look(const DopuCycle& cycle, const DopuSets& sets) {
   is.lowest = opened ? none_ : unopened;
   if (has_first) is.lowest = std::min(is.lowest, first_send);
   is.end_due = idle_send && opened && !has_first;
-  is.mark_due = idle_send && !is.done && !is.end_due && (x_marks() != 0 ? since_ >= static_cast<uint32_t>(x_marks()) : since_ >= mark_chunks_ << (marks_ >> 3)) &&
-                (x_marks() != 0 || marks_ != Config::window_marks()) && is.lowest > mark_;
+  is.mark_due = idle_send && !is.done && !is.end_due && (x_marks() != 0 ? since_ >= static_cast<uint32_t>(x_marks()) : since_ >= mark_chunks_ << (marks_ >> x_mshift())) &&
+                (x_marks() != 0 || marks_ != (uint32_t{8} << x_mshift()) - 1) && is.lowest > mark_;
   const bool direct_chunk = is.full && idle && is.live[2] && set2 == send_set_;
   const bool chunk_due = first_send == is.lowest || (direct_chunk && first_send <= held_[2].front().node.bucket);
   is.pop_send = has_first && (is.done ? !popping_ : idle_send && !is.mark_due && chunk_due);

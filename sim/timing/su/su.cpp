@@ -6,21 +6,27 @@
 #include "sim/timing/machine.hpp"
 
 namespace pipegs::timing {
+namespace {
+Config su_config(Config c) {
+  if (const char* bits = knob_text("SUBITS")) c.bucket_bits = std::atoi(bits);
+  return c;
+}
+}  // namespace
 
 Su::Su(const Machine& m, int lane)
     : lane_(lane),
       port_(m.memory.sort_port(lane)),
       records_(m.config.records),
-      config_(m.config),
+      config_(su_config(m.config)),
       octave_(su_octave(m.config, m.frame)),
-      bits_low_((m.config.bucket_w() + 1) / 2),
-      bits_high_(m.config.bucket_w() - bits_low_),
+      bits_low_((config_.bucket_w() + 1) / 2),
+      bits_high_(config_.bucket_w() - bits_low_),
       marks_cut_(m.config.has_watermarks()),
       lists_(m.config.has_lists()),
       pool_(static_cast<size_t>(records_)),
       next_slot_(static_cast<size_t>(records_)),
-      marks_(x_marks() != 0 ? 1024 : m.config.su_marks()),
-      table_(size_t{8} << m.config.bucket_w()),
+      marks_(x_marks() != 0 || x_mshift() != 3 ? 1024 : m.config.su_marks()),
+      table_(size_t{8} << config_.bucket_w()),
       words_(size_t{8} << bits_high_) {
   external_.ways.resize(static_cast<size_t>(m.config.su_ways()));
   external_.nodes.resize(static_cast<size_t>(m.config.su_ways()));

@@ -91,6 +91,7 @@ void run_batch(TimingTrace& trace) {
       std::fprintf(json, "]}\n");
     } catch (const std::exception& e) {
       std::fprintf(stderr, "error: %s\n", e.what());
+      std::fflush(stderr);
       _exit(1);
     }
     std::fclose(json);

@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 #include <optional>
+#include <string>
 
 #include "cpp_model/dopu/dopu.hpp"
 #include "cpp_model/dopu/nearest/dopu_depth.hpp"
@@ -487,6 +488,35 @@ void trace_windows(const GoldenInput& input, unsigned threads, TimingTrace& trac
   }
 }
 
+// Groups of the whole windows' walks by the quadrant in which their centre lies: walk, near, far, Gaussians, quadrant
+// (left or right, upper or lower by the middle planes), 1: the centre is inside the window.
+void dump_centres(const GoldenInput& input, const TimingTrace& trace, const char* name) {
+  FILE* out = std::fopen((std::string(name) + ".ctr").c_str(), "wb");
+  const PackedScene& packed = *input.packed;
+  const Config& c = trace.config;
+  const int columns = (static_cast<int>(input.frame.raster.width) + c.window - 1) / c.window;
+  Config half = c;
+  half.window = c.window / 2;
+  for (size_t n = 0; n < trace.walks.size(); ++n) {
+    const TimingWalk& walk = trace.walks[n];
+    if (walk.variant != 'W') continue;
+    const int x = static_cast<int>(walk.window) % columns, y = static_cast<int>(walk.window) / columns;
+    const Planes whole = dopu_planes(c, input.frame, x, y), first = dopu_planes(half, input.frame, 2 * x, 2 * y);
+    for (const TimingParent& g : walk.groups_ranked) {
+      const Corners box = dopu_test_corners(c, input.frame, packed.groups[g.node], dopu_depth_edge(c, input.frame, g.bucket));
+      const auto in = [&](const Plane& p) {
+        return p.nx * (box.means_low[0] + box.means_high[0]) + p.ny * (box.means_low[1] + box.means_high[1]) +
+                   p.nz * (box.means_low[2] + box.means_high[2]) >= 0;
+      };
+      const bool inside = in(whole[kLeft]) && in(whole[kRight]) && in(whole[kTop]) && in(whole[kBottom]);
+      const int q = (in(first[kRight]) ? 0 : 1) + (in(first[kBottom]) ? 0 : 2);
+      for (const int v : {static_cast<int>(n), static_cast<int>(g.bucket), static_cast<int>(g.far), static_cast<int>(trace.groups[g.node].count) * c.chunk, q, int{inside}})
+        std::fwrite(&v, 4, 1, out);
+    }
+  }
+  std::fclose(out);
+}
+
 }  // namespace
 
 Config timing_config(Config config) {
@@ -518,6 +548,7 @@ TimingTrace timing_trace(const GoldenInput& input, unsigned threads) {
   trace.chunks = nodes(packed.chunks);
   const char* cache = knob_text("X_CACHE");
   if (cache != nullptr && load_trace(trace, cache)) {
+    if (const char* name = knob_text("X_CENTRES")) dump_centres(input, trace, name);
     run_batch(trace);
     return trace;
   }
