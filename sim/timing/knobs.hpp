@@ -32,5 +32,6 @@ inline int x_episode() { static const int v = knob("X_EPISODE", 0); return v; } 
 inline int x_sets() { static const int v = knob("X_SETS", 2); return v; }  // in an SU
 inline int x_none() { static const int v = knob("X_NONE", 0); return v; }  // the end of an empty set turns none
 inline int x_mshift() { static const int v = knob("X_MSHIFT", 3); return v; }  // marks at one distance, log2; 8 times as many in a window
+inline int x_deal() { static const int v = knob("X_DEAL", 1); return v; }  // Gaussians in a cycle from the fronts to the PUs
 inline int x_oracle() { static const int v = knob("X_ORACLE", 0); return v; }
 }

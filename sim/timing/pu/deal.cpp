@@ -21,7 +21,7 @@ void Deal::step(Machine& m, Cycle now) {
   for (uint32_t rest = waiting_ & room; rest != 0; rest &= rest - 1) {
     const int k = std::countr_zero(rest);
     Pu& pu = m.pu[static_cast<size_t>(k)];
-    pu.visible.push(now, beat_);
+    pu.visible.push(now, beats_[k]);
     m.wheel.wake(unit(kProject, k), pu.visible.head_from());
     waiting_ &= ~(uint32_t{1} << k);
     moved = true;
@@ -30,6 +30,7 @@ void Deal::step(Machine& m, Cycle now) {
   const auto take = [&](int k) {
     Output<Beat>& culled = m.pu[static_cast<size_t>(k)].culled;
     beat_ = culled.value;
+    for (Beat& one : beats_) if (is_end(beat_)) one = beat_;
     culled.valid = false;
     m.wheel.wake_now(unit(m.config.tight_cull ? kReach : kCull, k));
     moved = true;
@@ -38,11 +39,18 @@ void Deal::step(Machine& m, Cycle now) {
     for (int k = m.config.pu_fronts(); k-- > 0;) take(k);
     waiting_ = (uint32_t{1} << m.units) - 1;
   }
-  const bool dealt = free && data != 0 && targets != 0;
+  const bool dealt = (free || (x_deal() > 1 && !is_end(beat_))) && data != 0 && (targets & ~waiting_) != 0;
   if (dealt) {
-    take(source_.port(data));
-    target_last_ = round_robin(targets, target_last_);
-    waiting_ = uint32_t{1} << target_last_;
+    uint32_t sources = data, open = targets & ~waiting_;
+    for (int n = 0; n < x_deal() && sources != 0 && open != 0; ++n) {
+      const int from = n == 0 ? source_.port(sources) : std::countr_zero(sources);
+      take(from);
+      sources &= ~(uint32_t{1} << from);
+      target_last_ = round_robin(open, target_last_);
+      beats_[target_last_] = beat_;
+      waiting_ |= uint32_t{1} << target_last_;
+      open &= ~(uint32_t{1} << target_last_);
+    }
   }
   source_.clock(data, dealt);
   if (moved) m.wheel.wake(unit(kDeal), now + 1);

@@ -17,6 +17,7 @@ class Deal {
  private:
   uint32_t waiting_ = 0;  // PUs that have still to take the record
   Beat beat_ = 0;
+  Beat beats_[8] = {};
   Arbiter source_;
   int target_last_ = 0;
 };
