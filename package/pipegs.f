@@ -89,6 +89,7 @@ rtl/pu/front/pu_reach.sv
 rtl/pu/pipegs_pu.sv
 rtl/pu/project/pu_covariance.sv
 rtl/pu/project/pu_factors.sv
+rtl/pu/project/pu_hold.sv
 rtl/pu/project/pu_jacobian.sv
 rtl/pu/project/pu_orient.sv
 rtl/pu/project/pu_project.sv

@@ -110,7 +110,7 @@ package pipegs_pkg;
   // lines of geometry in flight or waiting in it: as many in all, whatever their number
   localparam int unsigned GeometryLines  = 128;
   // Gaussians from where pu_project gives a payload to pu_conic's output: one, and two in each stage behind it
-  localparam int unsigned ShapePlaces    = 13;
+  localparam int unsigned ShapePlaces    = 15;
   // Gaussians from where pu_project gives a centre to where pu_covariance takes it: 1, 2 in each of four stages, 1
   localparam int unsigned CenterDepth    = 10;
   // Gaussians from where a payload is known to where pu_intersect takes them: the places before, 2 in pu_coeff, queue

@@ -3,8 +3,8 @@
 //         them.
 //
 // Paper   Sec. 4.2.1, Eq. 1.
-// Idea    project -> orient -> jacobian -> factors -> squares -> covariance -> (axes, box, with the oriented box ->)
-//         (compensate, with Antialias ->) conic.
+// Idea    project -> orient -> jacobian -> factors -> squares -> covariance -> hold -> (axes, box, with the oriented
+//         box ->) (compensate, with Antialias ->) conic.
 //         The centre (mean and opacity) waits in a queue from pu_project to pu_covariance; the payload (depth,
 //         direction, base colour, index, slot) leaves at once. Only wiring here.
 // Stream  visible in, conic out, in order; ends pass. payload: one for each Gaussian, in order, before its conic; not
@@ -43,11 +43,12 @@ module pu_shape (
   localparam int unsigned Factors    = 3;
   localparam int unsigned Squares    = 4;
   localparam int unsigned Covariance = 5;
-  localparam int unsigned Axes       = 6;
-  localparam int unsigned Box        = 7;
-  localparam int unsigned Compensate = 8;
-  localparam int unsigned Conic      = 9;
-  localparam int unsigned Stages     = 10;
+  localparam int unsigned Hold       = 6;
+  localparam int unsigned Axes       = 7;
+  localparam int unsigned Box        = 8;
+  localparam int unsigned Compensate = 9;
+  localparam int unsigned Conic      = 10;
+  localparam int unsigned Stages     = 11;
 
   logic [Stages-1:0]       valid /* verilator split_var */, ready /* verilator split_var */, busy;
   pipegs_pkg::projected_t  projected;
@@ -55,7 +56,7 @@ module pu_shape (
   pipegs_pkg::jacobian_t   jacobian;
   pipegs_pkg::factors_t    factors;
   pipegs_pkg::squares_t    squares;
-  pipegs_pkg::covariance_t covariance, boxed, compensated;
+  pipegs_pkg::covariance_t covariance, held, boxed, compensated;
 
   logic                             center_valid, center_room, center_held, center_take;
   pipegs_pkg::center_t              center_in, center;
@@ -160,14 +161,26 @@ module pu_shape (
     .busy_o(busy[Covariance])
   );
 
+  pu_hold u_hold (
+    .clk_i,
+    .rst_ni,
+    .covariance_valid_i(valid[Covariance]),
+    .covariance_ready_o(ready[Covariance]),
+    .covariance_i(covariance),
+    .held_valid_o(valid[Hold]),
+    .held_ready_i(ready[Hold]),
+    .held_o(held),
+    .busy_o(busy[Hold])
+  );
+
   if (pipegs_pkg::Oriented) begin : gen_oriented
     pipegs_pkg::axes_t axes;
     pu_axes u_axes (
       .clk_i,
       .rst_ni,
-      .covariance_valid_i(valid[Covariance]),
-      .covariance_ready_o(ready[Covariance]),
-      .covariance_i(covariance),
+      .covariance_valid_i(valid[Hold]),
+      .covariance_ready_o(ready[Hold]),
+      .covariance_i(held),
       .axes_valid_o(valid[Axes]),
       .axes_ready_i(ready[Axes]),
       .axes_o(axes),
@@ -185,11 +198,11 @@ module pu_shape (
       .busy_o(busy[Box])
     );
   end else begin : gen_reached
-    assign valid[Box:Axes]   = {2{valid[Covariance]}};
-    assign ready[Axes]       = ready[Box];
-    assign ready[Covariance] = ready[Box];
-    assign boxed             = covariance;
-    assign busy[Box:Axes]    = '0;
+    assign valid[Box:Axes] = {2{valid[Hold]}};
+    assign ready[Axes]     = ready[Box];
+    assign ready[Hold]     = ready[Box];
+    assign boxed           = held;
+    assign busy[Box:Axes]  = '0;
   end
 
   if (pipegs_pkg::Antialias == 1) begin : gen_compensate

@@ -88,6 +88,7 @@ mutant pu_squares "the shift of |u1|^2 added instead of subtracted" 's/(out_q\.c
        pu_shape
 mutant pu_covariance "the adder takes the distance of two exponents without its sign" \
        's/swap \? y_e - x_e : x_e - y_e/x_e - y_e/' pu_shape
+mutant pu_hold "a new record is let into an output that was not taken" 's/(in_valid_q && )\(!out.*\)/\11/' pu_shape
 
 # --- rtl/pu/box -------------------------------------------------------------------------------------------------------
 group box "PU: the oriented box (\`tile_test = 2\`)"
