@@ -53,6 +53,7 @@ struct SogBytes {
 Scene read_sog(const InputFile& meta, SceneFormat& format, SogBytes& bytes);
 Scene read_streamed_sog(const InputFile& meta, int lod, SceneFormat& format);
 Scene read_gltf(const InputFile& file, SceneFormat& format);
+Scene read_xyzs(const InputFile& file, SceneFormat& format);
 
 // Signatures of the two that have none: whether all that can be checked of the file is as theirs.
 bool looks_like_splat(const InputFile& file);

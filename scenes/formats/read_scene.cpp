@@ -20,11 +20,15 @@
 namespace pipegs {
 namespace {
 
-constexpr std::array kEndings = {".ply", ".splat", ".ksplat", ".spz", ".sog", ".glb", ".gltf"};
+constexpr std::array kEndings = {".ply", ".splat", ".ksplat", ".spz", ".sog", ".glb", ".gltf", ".xyzs"};
 constexpr std::size_t kMostLooked = 10000;  // files of a folder
+<<<<<<< HEAD
 constexpr std::string_view kPly = "ply", kGzip = "\x1f\x8b\x08", kSpz = "NGSP", kGltf = "glTF";
 
 bool begins_with_ply(std::string_view text) { return without_mark(text).starts_with(kPly); }
+=======
+constexpr std::string_view kPly = "ply", kGzip = "\x1f\x8b", kSpz = "NGSP", kGltf = "glTF", kZip = "PK",
+                           kXyzs = "xyzs ";
 
 Scene read_any_ply(PlySource& source, SceneFormat& format) {
   const PlyHeader header = read_ply_header(source);
@@ -65,7 +69,8 @@ Scene read_json_scene(const InputFile& file, const ReadOptions& options, SceneFo
                    "found JSON without 'means' (SOG), 'tree' (streamed SOG) or 'meshes' (glTF), expected a scene");
 }
 
-constexpr const char* kScenes = "a scene: .ply, .splat, .ksplat, .spz, .sog, meta.json, lod-meta.json, .glb or .gltf";
+constexpr const char* kScenes =
+    "a scene: .ply, .splat, .ksplat, .spz, .sog, meta.json, lod-meta.json, .glb, .gltf or .xyzs";
 
 Scene read_untold(const InputFile& file, SceneFormat& format) {
   if (looks_like_ksplat(file)) return read_ksplat(file, format);
@@ -144,6 +149,7 @@ Scene read_unpacked(const InputFile& file, const ReadOptions& options, SceneForm
   if (file.starts_with(kSpz)) return read_spz(file, format);
   if (file.starts_with(kGltf)) return read_gltf(file, format);
   if (is_zip(file)) return read_zip(file, options, format);
+  if (file.starts_with(kXyzs)) return read_xyzs(file, format);
   if (looks_like_json(file)) return read_json_scene(file, options, format);
   return read_untold(file, format);
 }

@@ -46,6 +46,32 @@ TEST(FormatsByHand, Splat) {
   EXPECT_LT(std::exp(scene.gaussians[1].log_scale.x), 1e-37f);
 }
 
+std::string xyzs(const std::string& line) { return "xyzs 1\n1 2 -3  0.5 1 2  1 0 0 -1  0.2  0 1 0.2\r\n\n" + line; }
+
+TEST(FormatsByHand, Xyzs) {
+  SceneFormat format;
+  const Scene scene = read_bytes(xyzs("\t7 0 nan 0 1 1 0 0 0 0 1 0 0 0"), &format);
+  EXPECT_EQ(format.name, ".xyzs version 1");
+  ASSERT_EQ(scene.gaussians.size(), 2u);
+  const Gaussian& g = scene.gaussians[0];
+  EXPECT_EQ(g.mean, glm::vec3(1, 2, -3));
+  expect_near(g.log_scale, {std::log(0.5f), 0, std::log(2.0f)});
+  EXPECT_EQ(g.rotation, glm::vec4(1, 0, 0, -1));
+  EXPECT_NEAR(alpha_of(g), 0.2, 1e-7);
+  expect_near(g.sh_dc, {-0.5 / kShConstant, 0.5 / kShConstant, -0.3 / kShConstant});
+  ActivatedGaussian activated;
+  EXPECT_EQ(activate(scene, 1, activated), Cull::kNonFinite);
+  for (const char* line : {"1 2 3", "1 2 3 1 1 1 1 0 0 0 1 0 0 0 0", "a 2 3 1 1 1 1 0 0 0 1 0 0 0"}) {
+    try {
+      read_bytes(xyzs(line));
+      ADD_FAILURE() << line;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("line 4: found "), std::string::npos);
+    }
+  }
+  EXPECT_THROW(read_bytes("xyzs 2\n"), InputError);
+}
+
 // NaN and infinities of a body are read, and such Gaussians are left out later.
 TEST(FormatsByHand, NotANumberIsCulled) {
   std::string rows;
