@@ -79,6 +79,8 @@ package pipegs_pkg;
   localparam int unsigned FetchLines     = 32;  // lines of the overflow area that one RU may have asked for
   localparam int unsigned NearestNodes   = 1024;  // nodes that wait in the DOPU, the nearest first (order = 2)
   localparam int unsigned MarkChunks     = 7;  // fewest chunks between two watermarks of a window (order = 2)
+  // chunks that wait in the DOPU, from which on no group is opened without need (order = 2)
+  localparam int unsigned NearestAhead   = 128;
   localparam int unsigned NearTest       = 1;  // 1: what lies before the near plane is dropped; 0: nothing does
   // 1: the Jacobian's x/z, y/z are clamped to 1.3 tan(fov/2); 0: only saturated
   localparam int unsigned GuardBand      = 1;
@@ -282,8 +284,6 @@ package pipegs_pkg;
   localparam int unsigned NearestResults = 16;  // results of the DOPU's test that may wait, each level (order 2)
   localparam int unsigned NearestOpen    = 16;  // nodes open at a time, each level (order 2)
   localparam int unsigned NearestLines   = 64;  // lines of the node tables in flight or waiting, each level (order 2)
-  // chunks that wait, from which on no group is opened without need (order 2)
-  localparam int unsigned NearestAhead   = 128;
   localparam int unsigned WindowMarks    = 63;  // most watermarks of a window, 2^n - 1
   localparam int unsigned ReachDepth     = 16;  // Gaussians in pu_reach: those whose test is under way (tight_cull)
   // Gaussians that pu_deal has dealt to a PU: few, they cannot go to another one

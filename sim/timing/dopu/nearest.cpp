@@ -23,6 +23,7 @@ Nearest::Nearest(const TimingTrace& trace, const Config& config)
     : trace_(trace),
       mark_chunks_(static_cast<uint32_t>(config.mark_chunks)),
       since_most_((uint32_t{1} << (clog2(config.mark_chunks + 1) + (Config::window_marks() >> 3))) - 1),
+      ahead_(config.nearest_ahead),
       near_step_(dopu_depth_near(trace.config, trace.frame)),
       mark_shift_(config.depth_w - config.step_w()),
       queue_(std::make_unique<NearestQueue>(config.nearest_nodes)),
@@ -120,7 +121,7 @@ Nearest::Said Nearest::look(const DopuCycle& cycle, const DopuSets& sets) {
   is.load_popped = queue_->out() && queue_->list() >= 4 && !is.done;
 
   // Opening: the nearest cell, the nearest group.
-  const bool few = waiting_[static_cast<size_t>(set2)] < Config::nearest_ahead() && !crowded;
+  const bool few = waiting_[static_cast<size_t>(set2)] < ahead_ && !crowded;
   const bool group_first = !some[2] || first[1] <= first[2];
   const bool cell_first = set1 == set2 && (!some[2] || first[0] <= first[2]) && (!some[1] || first[0] <= first[1]);
   const bool pop_cell = some[0] && (is.level_done[1] || (open_[0].room() && (!crowded || cell_first)));

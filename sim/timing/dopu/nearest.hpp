@@ -67,6 +67,7 @@ class Nearest {
 
   const TimingTrace& trace_;
   const uint32_t mark_chunks_, since_most_;
+  const int ahead_;
   const int near_step_, mark_shift_;
 
   // levels: 0 scans cells, 1 opens cells, 2 opens groups
