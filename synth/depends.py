@@ -65,6 +65,7 @@ KNOBS = [
     "bucket_bits=4",
     "nearest_nodes=256",
     "mark_chunks=4",
+    "nearest_ahead=32",
     "bus_w=128",
     "bus_w=256",
 ]

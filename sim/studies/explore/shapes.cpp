@@ -17,7 +17,9 @@ constexpr size_t kRound = 4;        // shapes of a round, at most
 constexpr size_t kRoundWithin = 2;  // of these, for the best within the wanted area
 
 bool belongs(const Config& config, const ShapeEntry& entry) {
-  if (entry.member == &Config::nearest_nodes || entry.member == &Config::mark_chunks) return config.has_watermarks();
+  if (entry.member == &Config::nearest_nodes || entry.member == &Config::mark_chunks ||
+      entry.member == &Config::nearest_ahead)
+    return config.has_watermarks();
   if (entry.member == &Config::bus_w) return config.bus_w != 0;
   return entry.member != &Config::window || config.window >= 64;
 }
@@ -150,6 +152,7 @@ const std::vector<ShapeEntry>& shape_entries() {
       {"bucket_bits", &Config::bucket_bits, {3, 4, 5, 6}},
       {"nearest_nodes", &Config::nearest_nodes, {256, 512, 1024, 2048}},
       {"mark_chunks", &Config::mark_chunks, {4, 7, 8, 12}},
+      {"nearest_ahead", &Config::nearest_ahead, {32, 64, 128, 256}},
       {"bus_w", &Config::bus_w, {128, 256, 512}},
   };
   return kEntries;

@@ -218,6 +218,7 @@ Config timing_config(Config config) {
   if (!config.has_watermarks()) config.bucket_bits = standard.bucket_bits;
   config.nearest_nodes = standard.nearest_nodes;
   config.mark_chunks = standard.mark_chunks;
+  config.nearest_ahead = standard.nearest_ahead;
   config.late = standard.late;
   config.quadratic = standard.quadratic;
   config.taps = standard.taps;
