@@ -22,13 +22,9 @@ namespace {
 
 constexpr std::array kEndings = {".ply", ".splat", ".ksplat", ".spz", ".sog", ".glb", ".gltf", ".xyzs"};
 constexpr std::size_t kMostLooked = 10000;  // files of a folder
-<<<<<<< HEAD
-constexpr std::string_view kPly = "ply", kGzip = "\x1f\x8b\x08", kSpz = "NGSP", kGltf = "glTF";
+constexpr std::string_view kPly = "ply", kGzip = "\x1f\x8b\x08", kSpz = "NGSP", kGltf = "glTF", kXyzs = "xyzs ";
 
 bool begins_with_ply(std::string_view text) { return without_mark(text).starts_with(kPly); }
-=======
-constexpr std::string_view kPly = "ply", kGzip = "\x1f\x8b", kSpz = "NGSP", kGltf = "glTF", kZip = "PK",
-                           kXyzs = "xyzs ";
 
 Scene read_any_ply(PlySource& source, SceneFormat& format) {
   const PlyHeader header = read_ply_header(source);
