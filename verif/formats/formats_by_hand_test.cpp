@@ -6,6 +6,7 @@
 
 #include <limits>
 
+#include "scenes/input_error.hpp"
 #include "verif/formats/compare.hpp"
 #include "verif/formats/packed_bytes.hpp"
 #include "verif/scenes/scratch_folder.hpp"
