@@ -6,7 +6,7 @@
 //         in the hardware (which unit takes a chunk, which regions are skipped because they are done already) is left
 //         out: the golden model computes everything, and skipping can only leave out work that changes no pixel.
 // Order   0: layer by layer. 1: the frame is preprocessed into lists of the windows. 1 and 2: a window is one layer,
-//         sorted by {depth, index}.
+//         sorted by {depth, index}, or with order 2 part by part (dopu_walks), which changes no pixel.
 // Threads Windows are independent; the result does not depend on their number.
 #pragma once
 
@@ -20,6 +20,7 @@
 #include "cpp_model/records.hpp"
 #include "cpp_model/ru/ru_lanes.hpp"
 #include "cpp_model/ru/ru_raster.hpp"
+#include "cpp_model/dopu/walk.hpp"
 #include "cpp_model/pack/pack.hpp"
 
 namespace pipegs {
@@ -76,6 +77,7 @@ struct GoldenLayer {
 
 struct GoldenWindow {
   uint64_t x = 0, y = 0;
+  std::vector<uint64_t> walks;       // order 2, one after the other: of the whole, or of parts
   std::vector<GoldenLayer> layers;   // those with at least one chunk (order 1: one, if a list has an entry); maybe none
   std::vector<RegionState> regions;  // T, RGB, done of the finished window
   std::vector<double> depth;         // sum of weight * view depth in scene units, by region and pixel
@@ -83,6 +85,7 @@ struct GoldenWindow {
   Work work;
   Saturations saturations;
   Called called;
+  bool in_parts() const { return !walks.empty() && walks.front() != kWholeWalk; }
 };
 
 // Order 1: what the preprocessing of the whole frame leaves, each Gaussian once, and who stands in the list of a

@@ -377,7 +377,7 @@ void print_package(const pipegs::Config& config) {
   std::printf(
       "\n  // What a beat of a stream is.\n"
       "  localparam logic [1:0] KindData = 2'd0;\n  localparam logic [1:0] KindLayerEnd = 2'd1;\n"
-      "  localparam logic [1:0] KindWindowEnd = 2'd2;\n"
+      "  localparam logic [1:0] KindWindowEnd = 2'd2;\n  localparam logic [1:0] KindPartEnd = 2'd3;\n"
       "\n  // What a unit does in a cycle, see pipegs_perf: starved has nothing to do, blocked waits for who takes its "
       "output.\n"
       "  localparam logic [1:0] PerfBusy = 2'd0;\n  localparam logic [1:0] PerfStarved = 2'd1;\n"

@@ -22,6 +22,7 @@ rtl/dopu/dopu_chunks.sv
 rtl/dopu/dopu_emit.sv
 rtl/dopu/dopu_hull.sv
 rtl/dopu/dopu_layer.sv
+rtl/dopu/dopu_load.sv
 rtl/dopu/dopu_memory.sv
 rtl/dopu/dopu_origin.sv
 rtl/dopu/dopu_planes.sv

@@ -125,7 +125,12 @@ package pipegs_pkg;
   localparam int unsigned MaskIndexW     = 6;  // index of a region in its part, row by row
   localparam int unsigned Regions        = 256;  // regions of a window
   localparam int unsigned RegionW        = 8;  // index of a region in its window: its part above its index in the part
-  // what a beat is: 0 data, 1 end of layer, 2 end of window (and of its last layer)
+  localparam bit HasWalks                = 1'b1;  // a window may be walked part by part
+  // what a walk covers: 0 its window, else the upper bit and below it the one part; absent where all are of windows
+  localparam int unsigned WalkW          = 3;
+  localparam int unsigned WalkMostW      = 24;  // Gaussians of a walk; absent likewise
+  // what a beat is: 0 data, 1 end of layer, 2 end of window (and of its last layer), 3 end of a walk of a part that is
+  // not its window's last
   localparam int unsigned KindW          = 2;
   localparam int unsigned BitW           = 1;  // a flag
   // sort key: depth, then index, so equal depths are ordered by index, then the part; no index without IndexTies
@@ -135,6 +140,8 @@ package pipegs_pkg;
   localparam int unsigned OctaveW        = 4;
   localparam int unsigned BucketW        = 10;  // bucket of depth: its octave, then leading bits of the mantissa
   localparam int unsigned WindowW        = 10;  // column or row of a window in the frame
+  // where a beat belongs, as chunk, fetched and visible have it: its window, then its walk
+  localparam int unsigned PlaceW         = 23;
   localparam int unsigned SizeW          = 15;  // width or height of the frame, pixels
   localparam int unsigned ExpW           = 6;  // block exponent, unsigned
   localparam int unsigned FloatEW        = 9;  // exponent of a normalised mantissa, signed
@@ -322,6 +329,7 @@ package pipegs_pkg;
   localparam logic [1:0] KindData = 2'd0;
   localparam logic [1:0] KindLayerEnd = 2'd1;
   localparam logic [1:0] KindWindowEnd = 2'd2;
+  localparam logic [1:0] KindPartEnd = 2'd3;
 
   // What a unit does in a cycle, see pipegs_perf: starved has nothing to do, blocked waits for who takes its output.
   localparam logic [1:0] PerfBusy = 2'd0;
@@ -470,13 +478,15 @@ package pipegs_pkg;
   localparam int unsigned RasterBits = 70;
 
   typedef struct packed {
+    // Gaussians of a window's groups from which on it is walked part by part; 0: never is
+    logic [WalkMostW-1:0] walk_most;
     raster_t raster;
     tables_t tables;
     grid_t grid;
     lens_t lens;
     camera_t camera;
   } frame_t;
-  localparam int unsigned FrameBits = 1244;
+  localparam int unsigned FrameBits = 1268;
 
   typedef struct packed {
     logic [CountW-1:0] count;  // cell: groups; group: chunks; chunk: Gaussians
@@ -537,11 +547,12 @@ package pipegs_pkg;
     logic signed [ViewW-1:0] origin_z;
     logic signed [ViewW-1:0] origin_y;
     logic signed [ViewW-1:0] origin_x;  // chunk centre in view space, unit 2^view_exp
+    logic [WalkW-1:0] walk;
     logic [WindowW-1:0] window_y;
     logic [WindowW-1:0] window_x;
     logic [KindW-1:0] kind;
   } chunk_t;
-  localparam int unsigned ChunkBits = 182;
+  localparam int unsigned ChunkBits = 185;
 
   typedef struct packed {
     logic [SlotW-1:0] slot;
@@ -565,11 +576,12 @@ package pipegs_pkg;
     logic signed [ViewW-1:0] origin_z;
     logic signed [ViewW-1:0] origin_y;
     logic signed [ViewW-1:0] origin_x;  // chunk centre in view space, unit 2^view_exp
+    logic [WalkW-1:0] walk;
     logic [WindowW-1:0] window_y;
     logic [WindowW-1:0] window_x;
     logic [KindW-1:0] kind;
   } fetched_t;
-  localparam int unsigned FetchedBits = 396;
+  localparam int unsigned FetchedBits = 399;
 
   typedef struct packed {
     logic [SlotW-1:0] slot;
@@ -589,11 +601,12 @@ package pipegs_pkg;
     logic signed [ViewW-1:0] view_z;
     logic signed [ViewW-1:0] view_y;
     logic signed [ViewW-1:0] view_x;  // mean in view space, unit 2^view_exp
+    logic [WalkW-1:0] walk;
     logic [WindowW-1:0] window_y;
     logic [WindowW-1:0] window_x;
     logic [KindW-1:0] kind;
   } visible_t;
-  localparam int unsigned VisibleBits = 336;
+  localparam int unsigned VisibleBits = 339;
 
   typedef struct packed {
     logic untested;  // its scale has no room in view units: it is kept
@@ -611,7 +624,7 @@ package pipegs_pkg;
     gap_t gap;
     visible_t visible;
   } culled_t;
-  localparam int unsigned CulledBits = 478;
+  localparam int unsigned CulledBits = 481;
 
   typedef struct packed {
     logic [ScaleW-1:0] scale_2;
@@ -637,6 +650,7 @@ package pipegs_pkg;
   localparam int unsigned CenterBits = 80;
 
   typedef struct packed {
+    logic [WalkW-1:0] walk;
     logic [SlotW-1:0] slot;
     logic [IndexW-1:0] index;
     logic signed [BaseW-1:0] base_b;
@@ -647,13 +661,13 @@ package pipegs_pkg;
     logic signed [DirectionW-1:0] dir_x;  // view-space direction to the mean, block-normalised
     logic [DepthW-1:0] depth;  // depth key of view z: exponent, then mantissa
   } payload_t;
-  localparam int unsigned PayloadBits = 168;
+  localparam int unsigned PayloadBits = 171;
 
   typedef struct packed {
     logic [PartW-1:0] part;
     payload_t payload;
   } parted_t;
-  localparam int unsigned PartedBits = 170;
+  localparam int unsigned PartedBits = 173;
 
   typedef struct packed {
     logic [ScaleW-1:0] scale_2;
@@ -1190,7 +1204,7 @@ package pipegs_pkg;
     48'h0084_00030e52,  // CONFIG_POINT
     48'h0080_10048004,  // CONFIG_COUNTS
     48'h000c_40dcc25f,  // CONFIG_HASH
-    48'h0008_880a33ce,  // LAYOUT
+    48'h0008_983831c8,  // LAYOUT
     48'h0004_00020000,  // VERSION
     48'h0000_47504950  // ID
   };
@@ -1205,20 +1219,21 @@ package pipegs_pkg;
   // What a start queues: frame_t, areas_t and picture_t in this order, the first one lowest. A slot is {byte
   // offset of its low word (16 bits), lowest bit of its value in what is queued (16), width of the value (8),
   // bit of the slot at which it begins (8), 1 if it is signed (8)}.
-  localparam int unsigned ControlShadowBits = 1563;
-  localparam int unsigned ControlSlots = 59;
+  localparam int unsigned ControlShadowBits = 1587;
+  localparam int unsigned ControlSlots = 60;
   localparam logic [ControlSlots*56-1:0] ControlSlotTable = {
-    56'h0490_060f_0c_06_00,  // stride
-    56'h0488_05ed_22_06_00,  // base
-    56'h0480_05ec_01_00_00,  // format
-    56'h0438_05ca_22_06_00,  // picture
-    56'h0430_05a8_22_06_00,  // overflow
-    56'h0428_0586_22_06_00,  // pixels
-    56'h0420_0564_22_06_00,  // colors
-    56'h0418_0542_22_06_00,  // gaussians
-    56'h0410_0520_22_06_00,  // chunks
-    56'h0408_04fe_22_06_00,  // groups
-    56'h0400_04dc_22_06_00,  // cells
+    56'h0490_0627_0c_06_00,  // stride
+    56'h0488_0605_22_06_00,  // base
+    56'h0480_0604_01_00_00,  // format
+    56'h0438_05e2_22_06_00,  // picture
+    56'h0430_05c0_22_06_00,  // overflow
+    56'h0428_059e_22_06_00,  // pixels
+    56'h0420_057c_22_06_00,  // colors
+    56'h0418_055a_22_06_00,  // gaussians
+    56'h0410_0538_22_06_00,  // chunks
+    56'h0408_0516_22_06_00,  // groups
+    56'h0400_04f4_22_06_00,  // cells
+    56'h0380_04dc_18_00_00,  // walk_most
     56'h0378_04d2_0a_00_00,  // raster.windows.last_y
     56'h0370_04c8_0a_00_00,  // raster.windows.last_x
     56'h0368_04be_0a_00_00,  // raster.windows.first_y

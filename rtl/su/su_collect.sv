@@ -2,10 +2,11 @@
 // su_collect: takes the splats of a layer in, to a free slot each, and passes the ends on as marks.
 //
 // Paper   Sec. 4.1 (layer i + 1 is collected while layer i is sorted).
-// Idea    A set is what one end releases whole: a layer, or a window with watermarks. Two sets of buckets take turns. A
-//         mark waits in a queue until su_buckets has released what lies before it, and collecting goes on. When the
-//         pool is full and nothing of it is on its way out, or another SU spills (then it may wait for our marks), the
-//         present set goes to external memory: its next records and marks are taken at once, until its end.
+// Idea    A set is what one end releases whole: a layer, or with watermarks a window or a part of it. Two sets of
+//         buckets take turns. A mark waits in a queue until su_buckets has released what lies before it, and collecting
+//         goes on. When the pool is full and nothing of it is on its way out, or another SU spills (then it may wait
+//         for our marks), the present set goes to external memory: its next records and marks are taken at once, until
+//         its end.
 // Stream  in: splats, then an end beat. insert: slot and bucket; record: a splat for external memory; mark: an end.
 // Pace    One splat per two cycles; spilling: as fast as su_spill takes them.
 // Model   Plumbing; the whole SU is tested against cpp_model/su/su.hpp.
@@ -71,7 +72,7 @@ module su_collect (
   assign write_o        = insert_valid_o && insert_ready_i;
   assign in_ready_o     = data ? (open && slot_valid_i && insert_ready_i) || (state_q == Spill && record_ready_i)
                                : (open || state_q == Spill) && mark_ready_i;
-  assign mark_all_o     = !pipegs_pkg::HasWatermarks || in_kind_i == pipegs_pkg::KindWindowEnd;
+  assign mark_all_o     = !pipegs_pkg::HasWatermarks || in_kind_i != pipegs_pkg::KindLayerEnd;
   assign set_o          = set_q;
   assign spilled_o      = state_q == Spill;
   assign spilling_o     = state_q == Spill;

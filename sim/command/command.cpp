@@ -89,6 +89,11 @@ void ViewArguments::add(CLI::App& app, DesignPoints which) {
   }
   add_file(app);
   if (which != DesignPoints::kBase) add_settings(app);
+  add_integer(app, "--walk-most", walk_most,
+              "a window of `fast` whose groups hold more Gaussians is walked part by part, 0: none is; the picture is "
+              "the same",
+              uint64_t{0}, (uint64_t{1} << 24) - 1)
+      .shows_default();
   add_real(app, "--near", near_plane, "near plane, scene units", kPositive).shows_default();
 }
 
@@ -111,6 +116,7 @@ SimulateOptions ViewArguments::options() const {
   SimulateOptions options;
   options.config = machine();
   if (!window.empty()) options.window = {window.at(0), window.at(1)};
+  options.walk_most = walk_most;
   options.near_plane = near_plane;
   return options;
 }

@@ -187,18 +187,24 @@ void StreamCheck::expect_line(uint64_t ordinal, int lane, size_t region, size_t 
 }
 
 // A chunk that has not come, though the PUs had use for it.
-void StreamCheck::expect_chunks(uint64_t ordinal, const ChunkSet& chunks) {
-  if (const std::optional<uint64_t> slot = chunks.missing())
+void StreamCheck::expect_chunks(uint64_t ordinal, const ChunkSet& chunks,
+                                const std::function<bool(uint64_t walk)>& needed) {
+  if (const std::optional<uint64_t> slot = chunks.missing(needed))
     fail(ordinal, {.tap = Tap::kChunk, .gaussian = input_.packed->gaussians[*slot].index}, "its chunk", "it missing");
 }
 
 // A window that every stream has left: no line is missing, and what was blended is the golden window. Where something
-// of it was open to the end all of its chunks have come.
+// that a walk covers was open to the end all of its chunks have come.
 void StreamCheck::expect_all(uint64_t ordinal) {
   const Window& now = window(ordinal);
-  const auto& regions = now.golden.regions;
-  const bool open = std::any_of(regions.begin(), regions.end(), [](const RegionState& one) { return !one.all_done(); });
-  if (now.chunks && open) expect_chunks(ordinal, *now.chunks);
+  const auto open = [&](uint64_t walk) {
+    for (int r = 0; r < config_.regions(); ++r) {
+      if (walk_has(config_, walk, static_cast<uint64_t>(region_part(config_, r))) && !now.done.has(config_, r))
+        return true;
+    }
+    return false;
+  };
+  if (now.chunks) expect_chunks(ordinal, *now.chunks, open);
   for (size_t region = 0; region < now.live.size(); ++region) {
     for (size_t quad = 0; quad < (config_.quads ? kQuads : 1); ++quad)
       skip_to(ordinal, region, quad, now.lines[region].size(), "at the window's end");
@@ -263,7 +269,8 @@ std::array<int, 2> StreamCheck::pixel_at(uint64_t window, int region, int pixel)
 }
 
 void StreamCheck::end(Place& place, uint64_t kind) {
-  place.next = 0;
+  if (kind == kPartEnd) return static_cast<void>(++place.walk);
+  place.next = place.walk = 0;
   ++place.layer;
   if (kind != kWindowEnd) return;
   place.layer = 0;
@@ -293,6 +300,14 @@ void StreamCheck::expect_end(const Place& place, uint64_t kind, Mismatch where) 
   }
 }
 
+// Every walk of a window ends, the last one with the window.
+void StreamCheck::expect_walk(const Place& place, uint64_t kind, const Mismatch& where) {
+  const size_t walks = std::max<size_t>(window(place.window).golden.walks.size(), 1);
+  if (kind == kLayerEnd || (kind == kWindowEnd) == (place.walk + 1 == walks)) return;
+  fail(place.window, where, fmt::format("the end of walk {} of {}", place.walk + 1, walks),
+       kind == kPartEnd ? "the end of a part" : "the end of the window");
+}
+
 // The ends of layers depend on timing, or are those of the splats.
 void StreamCheck::on_chunk(int unit, int kind, const uint32_t* words) {
   uint64_t& ordinal = chunk_window_[static_cast<size_t>(unit)];
@@ -306,10 +321,10 @@ void StreamCheck::on_chunk(int unit, int kind, const uint32_t* words) {
     listed_.emplace(input_, input_.frame.raster.windows.first_x, input_.frame.raster.windows.first_y);
   ChunkSet& chunks = config_.has_lists() ? *listed_ : *window(ordinal).chunks;
   Mismatch where{.tap = Tap::kChunk, .unit = unit};
-  const Chunk* expected = chunks.find(chunk.slot);
+  const Chunk* expected = chunks.find(chunk);
   if (expected == nullptr) return fail(ordinal, where, "none", to_text(config_, chunk));
   where.gaussian = input_.packed->gaussians[chunk.slot].index;
-  if (!chunks.take(chunk.slot)) return fail(ordinal, where, "its chunk once", "it again");
+  if (!chunks.take(chunk)) return fail(ordinal, where, "its chunk once", "it again");
   if (differ(config_, *expected, chunk, where)) fail(ordinal, where);
 }
 
@@ -322,7 +337,8 @@ void StreamCheck::on_splat(int unit, const uint32_t* words) {
   if (splat.kind == kLayerEnd && config_.has_watermarks()) return on_mark(unit, place, splat);
   if (splat.kind != kData) {
     if (config_.has_watermarks()) marks_[static_cast<size_t>(unit)] = 0;
-    expect_end(place, splat.kind, where);
+    expect_walk(place, splat.kind, where);
+    if (splat.kind != kPartEnd) expect_end(place, splat.kind, where);
     return end(place, splat.kind);
   }
   where.gaussian = splat.index, where.layer = place.layer;
@@ -330,6 +346,11 @@ void StreamCheck::on_splat(int unit, const uint32_t* words) {
   const auto found = now.by_name[place.layer].find(name_of(splat.index, splat.part));
   if (found == now.by_name[place.layer].end()) return fail(place.window, where, "none", to_text(config_, splat));
   const Splat& expected = found->second->splat;
+  if (now.golden.in_parts() && splat.part != walk_part(config_, now.golden.walks[place.walk])) {
+    where.field = "part";
+    return fail(place.window, where, fmt::to_string(walk_part(config_, now.golden.walks[place.walk])),
+                fmt::to_string(splat.part));
+  }
   const uint64_t mark = marks_[static_cast<size_t>(unit)];
   if (config_.has_watermarks() && splat.depth < mark) {
     where.field = "depth";
@@ -379,6 +400,7 @@ void StreamCheck::on_sorted(const uint32_t* words) {
       }
     }
   };
+  if (sorted.kind == kPartEnd) return fail(place.window, where, "the end of the window alone", "the end of a part");
   if (sorted.kind != kData) {
     skip_done([](const GoldenSplat&) { return false; });
     expect_end(place, sorted.kind, where);
@@ -486,7 +508,7 @@ void StreamCheck::finish() {
   if (!sorted_over())
     fail(sorted_place_.window, {.tap = Tap::kSorted}, come(frame_windows(input_.frame)), come(sorted_place_.window));
   for (const auto& [ordinal, window] : open_) expect_all(ordinal);
-  if (listed_) expect_chunks(0, *listed_);
+  if (listed_) expect_chunks(0, *listed_, [](uint64_t) { return true; });
   open_.clear();
 }
 

@@ -108,6 +108,7 @@ class StreamCheck final : public RtlTaps {
   struct Place {
     uint64_t window = 0;  // ordinal in the frame
     size_t layer = 0;
+    size_t walk = 0;  // walks of the window that have ended, for the streams of splats
     size_t next = 0;  // next splat, for the sorted stream
   };
   struct Pending {  // alphas being blended by a lane of taps, until their words have been written back
@@ -125,7 +126,7 @@ class StreamCheck final : public RtlTaps {
   bool changes(const Window& window, int region, int quad, const Line& line) const;
   void skip_to(uint64_t ordinal, size_t region, size_t quad, size_t end, const std::string& seen);
   void expect_line(uint64_t ordinal, int lane, size_t region, size_t quad, const GoldenSplat& shown);
-  void expect_chunks(uint64_t ordinal, const ChunkSet& chunks);
+  void expect_chunks(uint64_t ordinal, const ChunkSet& chunks, const std::function<bool(uint64_t walk)>& needed);
   void expect_all(uint64_t ordinal);
   // Regions of a splat that the stream before the RUs may leave out. Lists are made before anything is done: they are
   // complete.
@@ -140,6 +141,7 @@ class StreamCheck final : public RtlTaps {
   void on_mark(int unit, const Place& place, const Splat& mark);
   int unit_of(int lane) const { return lane / config_.tap_lanes(); }
   std::array<int, 2> pixel_at(uint64_t window, int region, int pixel) const;  // of the image
+  void expect_walk(const Place& place, uint64_t kind, const Mismatch& where);
   void expect_end(const Place& place, uint64_t kind, Mismatch where);
 
   GoldenInput input_;

@@ -35,6 +35,6 @@ constexpr uint64_t shown_request(uint64_t line, bool write, int lines) {
 }
 constexpr uint64_t shown_splat(uint64_t key) { return key << 2; }
 constexpr uint64_t shown_line(int region, int quarter) { return static_cast<uint64_t>(4 * region + quarter); }
-constexpr uint64_t shown_end(bool of_window) { return of_window ? 2 : 1; }
+constexpr uint64_t shown_end(uint64_t kind) { return kind; }
 
 }  // namespace pipegs::timing

@@ -90,7 +90,7 @@ struct Machine {
     if (events != nullptr) events->push_back({now, border, static_cast<uint8_t>(lane), what});
   }
   uint64_t beat_shown(Beat beat) const {
-    return is_end(beat) ? shown_end(beat == kWindowEndBeat) : shown_splat(trace.key[beat]);
+    return is_end(beat) ? shown_end(end_kind(beat)) : shown_splat(trace.key[beat]);
   }
   std::vector<TimingEvent>* events = nullptr;
 

@@ -423,11 +423,14 @@ mutant "one window too many" "s/left_q   <= windows - LeftW'\(1\)/left_q <= wind
 proof  dopu_planes "dopu_planes+ pipegs_bit_length" "@default"
 mutant "a window is taken while one is inside" 's/window_ready_o = !busy_q/window_ready_o = 1/'
 proof  dopu_windows "dopu_windows+ free_planes pipegs_window_walk" \
-       "@default %Regions=4 %RegionW=2 %PlaneBits=1 %WindowW=3;
+       "@late=1,order=2,window=128,quads=1 %Regions=8 %RegionW=3 %MaskW=2 %PlaneBits=1 %WindowW=3 %PlaceW=9;
   @order=1 %Regions=8 %RegionW=3; @default %Regions=8 %RegionW=3"
 mutant "a set is overwritten before it is released" 's/planes_ready = !valid_q\[fill_q\]/planes_ready = 1/'
 mutant "a release clears the set filled next instead of the oldest" 's/valid_q\[oldest_q\] <= /valid_q[fill_q] <= /'
-mutant "a set is called done for the window that it held before" 's/set_done_o = done_q \& valid_q/set_done_o = done_q/'
+mutant "a set is called done for the window that it held before" 's/(set_done_o = \(done_q \| given_q\)) \& valid_q/\1/'
+mutant "a part of a window is left out" "s/2'd2 : part_q/2'd3 : part_q/"
+mutant "a window stays in parts" 's/\(parts_q && !next\)/parts_q/'
+mutant "a set is filled while another one is on trial" 's/ && !judges_q;/;/'
 mutant "a row has one window less" "s/(last_x_i\(raster_i.windows.last_x)\)/\1 - 1'b1)/"
 
 # Places for results are reserved: three levels, a test and readers of which only the promises are known. A node has

@@ -63,7 +63,7 @@ TEST(DopuTestModel, NeverRejectsANodeWithAGaussianThatTouchesTheWindow) {
       for (int wx = 0; wx <= static_cast<int>(frame.raster.windows.last_x); ++wx) {
         std::vector<bool> chosen(packed.chunks.size());
         const auto choose = [&](int, const Chunk&, uint64_t chunk) { chosen[chunk] = true; };
-        if (config.has_watermarks()) dopu_nearest(config, frame, packed, wx, wy, choose);
+        if (config.has_watermarks()) dopu_nearest(config, frame, packed, wx, wy, kWholeWalk, choose);
         else dopu_window(config, frame, packed, wx, wy, choose);
         for (size_t c = 0; c < packed.chunks.size(); ++c) {
           const Node& node = packed.chunks[c];

@@ -25,10 +25,25 @@ mutant dopu_emit "a chunk goes to a PU without room" 's/mask_i\(chunk_room_i\)/m
 mutant pipegs_dopu "the clock does not come back for an answer of the memory" 's/(memory_i\()rsp_valid_i \|\| /\1/'
 mutant dopu_windows "a set of planes is overwritten before it is released" \
        's/planes_ready = !valid_q\[fill_q\]/planes_ready = 1/' dopu
+mutant dopu_windows "a window that goes by parts is done with its first part" \
+       's/place_q\[s\]\[PlaceW-1\] && //' dopu_nearest_fast
+mutant dopu_windows "the part behind the right one is the one below it, seen or not" \
+       's/part_q\[0\] \|\| !right_in/part_q[0]/' \
+       dopu_nearest_fast
+mutant dopu_windows "a part is on trial, too" 's/(on_trial = judges_i) && !parts_q/\1/' dopu_nearest_fast
+mutant dopu_nearest "a window on trial opens groups" 's/!held_back && open_ready/open_ready/' dopu_nearest_fast
+mutant pipegs_dopu "the end of a walk that is given up goes to the PUs" \
+       's/(given_up    = walk_end) && /\1 \&\& 1'"'"'b0 \&\& /' dopu_nearest_fast
+mutant dopu_load "the last group alone decides" "s/SumW'\(sum_q\) \+ //" dopu_nearest_fast
+mutant dopu_load "what a window held counts for the next one" \
+       's/else if \(judged_o\)/else if (parts_q)/' dopu_nearest_fast
+mutant dopu_planes "a part reaches as far as its window" 's/half \? W/1'"'"'b0 ? W/' dopu_planes_walks
+mutant pipegs_dopu "each part ends its window" \
+       's/(part_end    = walk_end) && !set_ends/\1 \&\& 1'"'"'b0 \&\& set_ends/' dopu_nearest_fast
 mutant dopu_descend "no place is reserved for a result of the test" \
        's/ && reserved_q\[l\] != ReservedW.\(Results\)//' dopu
 mutant dopu_descend "a chunk that is shown is taken back when its window is done" 's/ && !shown_q;/;/' dopu
-mutant pu_fetch "an end carries a slot" "s/(fetched_o\.slot *= )is_data \? slot : '0/\1slot/"
+mutant pu_fetch "an end carries a slot" 's/\{pipegs_pkg::SlotW\{is_data\}\} & slot/slot/'
 mutant pipegs_line_reader "the last line of a chunk is kept when it is half full" 's/\(last \|\| line_end\)/line_end/' \
        pu_fetch
 mutant dopu_cells "both cells of a line are its first one" "s/(item_half_q <= )cell_i\[0\]/\11'b0/" dopu
@@ -69,6 +84,8 @@ mutant pu_phases "a new record is let into an output that was not taken" \
        's/(out_free *= )!out_valid_q \|\| out_ready_i/\11/' pu_shape
 mutant pu_cull "rounding of the view coordinates: + half becomes - half" \
        's/\+ (\$signed\(\(SumW \+ 1\).\(1\)\)\) >>> 1)/- \1/'
+mutant pu_cull "a part reaches as far as its window" 's/walk6\[2\] \? SideW/1'"'"'b0 ? SideW/' pu_cull_tight
+mutant pu_cull "the right part begins where the left one does" 's/, walk4\[0\], /, 1'"'"'b0, /' pu_cull_tight
 mutant pu_cull "the gap on the low side without what the cut bits of x may hide" \
        's/ - fx - near;/ - fx;/' pu_cull_tight
 mutant pu_reach "the bound of the rounding errors left out" "s/ \+ \(NW-1\)'\(Error\);/;/"
@@ -196,6 +213,9 @@ mutant su_bitonic "one stage too many for a full batch" 's/(<< size_q\)) >= fill
 mutant su_split "the tail of a bucket is overwritten" 's/\{filled \? tail : drop_slot_q/{drop_slot_q/'
 mutant su_output "a splat is shown to the spill too while it goes to the merge" \
        's/(back_valid_o = valid) && divert_i/\1/' su
+mutant su_collect "the end of a part turns no set" \
+       's/(in_kind_i )!= (pipegs_pkg::Kind)LayerEnd/\1== \2WindowEnd/' su_marks
+mutant su_merge "the end of a part goes to the RUs" 's/!= (pipegs_pkg::Kind)WindowEnd/== \1LayerEnd/' su_merge_marks
 mutant su_merge "a comparison is not inverted for the other lane" 's/(beats\[j\*Units\+i\] = )!/\1/'
 mutant su_key "index sorted downwards" 's/\{splat_i\.depth, splat_i\.index\}/{splat_i.depth, ~splat_i.index}/' su_merge
 mutant su_spill "the lines of keys begin one too far" \
@@ -393,7 +413,7 @@ group lean "Machines without index ties and without overflow (\`index_ties = 0\`
 mutant su_key "depth sorted downwards" 's/order = splat_i\.depth/order = ~splat_i.depth/' su_merge_lean
 mutant su_merge "assertion: > becomes >=" 's/key > key_q/key >= key_q/' su_merge_lean
 mutant su_merge "assertion: the end of a layer is forgotten when the beat before it still waits" \
-       's/\(go && !mark\) before_q/(go \&\& !out_valid_q) before_q/' su_merge_lean
+       's/\(go && !\(mark.*\)\) before_q/(go \&\& !out_valid_q) before_q/' su_merge_lean
 mutant su_collect "no clock for a record that finds no room: the assertion is never looked at" \
        's/(active_o *= take) \|\| lost/\1/' su_lean
 mutant pu_allocate "lines are given although older ones lie there" "s/SumW'\(used_q\) \+ //" pu_allocate_lean
@@ -551,6 +571,7 @@ mutant pu_expand "the PU may fall asleep while windows are passed over" \
        's/(passes_o *= )move && !touches/\1 1'"'"'b0/' pu_expand_oriented
 mutant pu_expand "a window that is passed over waits for the taker" 's/out_free \|\| !touches/out_free/' \
        pu_expand_oriented
+mutant pu_parts "a Gaussian comes for a part that is not walked" 's/\|\| \(one_part &&/|| (1'"'"'b0 \&\&/' pu_parts
 mutant pu_parts "a mean keeps its place in the second row of parts" \
        's/(moved_y = .*) -$/\1 + 0 */' pu_parts
 mutant pu_parts "the second row begins with its second part" 's/last_column \? from_x_q : /last_column ? to_x_q : /'

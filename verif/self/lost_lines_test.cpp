@@ -111,7 +111,7 @@ class LostLines : public testing::TestWithParam<const char*> {
       check.on_chunk(0, kData, words.data());
     };
     const GoldenInput& input = simulation_.input;
-    if (config().has_watermarks()) dopu_nearest(config(), input.frame, *input.packed, 0, 0, send);
+    if (config().has_watermarks()) dopu_nearest(config(), input.frame, *input.packed, 0, 0, kWholeWalk, send);
     else dopu_window(config(), input.frame, *input.packed, 0, 0, send);
     for (int unit = 0; unit < config().units; ++unit) check.on_chunk(unit, kWindowEnd, words.data());
   }

@@ -185,12 +185,13 @@ struct LanesBench : BenchBase {
       target.push_back(lane);
       if (beat.kind == kData) {
         open.push_back(beat);
-      } else if (!kConfig.has_watermarks() || beat.kind == kWindowEnd) {
+      } else if (!kConfig.has_watermarks() || beat.kind != kLayerEnd) {
         su_sort(open);
         expected.insert(expected.end(), open.begin(), open.end());
+        open.clear();
+        if (beat.kind == kPartEnd) continue;
         expected.emplace_back();
         expected.back().kind = beat.kind;
-        open.clear();
       }
     }
   }

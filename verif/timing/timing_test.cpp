@@ -125,6 +125,29 @@ TEST(Timing, WindowsOfFourParts) {
   EXPECT_EQ(frame.run().cycles, frame.run({.every_cycle = true}).cycles);
 }
 
+// Windows are counted, and go whole or by parts, also with more than the SUs hold.
+TEST(Timing, WindowsWalkedPartByPart) {
+  for (const uint64_t most : {0, 1, 700}) {
+    SCOPED_TRACE(most);
+    SimulateOptions options = design_point("fast");
+    options.walk_most = most;
+    expect_exact(TimedFrame({random_scene(9, 900, 0), test_camera(300, 150)}, options));
+    options.memory = {.dram = "ideal", .latency = 2, .bytes_per_cycle = 64, .jitter = 3};
+    const TimedFrame frame({random_scene(9, 900, 0), test_camera(130, 97)}, options);
+    expect_exact(frame);
+    EXPECT_EQ(frame.run().cycles, frame.run({.every_cycle = true}).cycles);
+  }
+  SimulateOptions options = design_point("fast");
+  options.walk_most = 1;
+  expect_exact(TimedFrame(own_view(), options, 3));
+  std::vector<Gaussian> wall;  // one depth: no watermark releases any of it
+  for (int i = 0; i < 28900; ++i) {
+    const float x = 0.008f * static_cast<float>(i % 170), y = 0.008f * static_cast<float>(i / 170);
+    wall.push_back(gaussian_at({x - 0.68f, y - 0.68f, 2}, 0.006f, 0.02));
+  }
+  EXPECT_GT(expect_exact(TimedFrame({scene_of(wall), test_camera(128, 128)}, options)), 0u);
+}
+
 TEST(Timing, OtherMemories) {
   for (const char* name : {"dop", "late", "tspp", "exact"}) {
     SimulateOptions options = design_point(name);

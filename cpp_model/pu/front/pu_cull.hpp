@@ -7,8 +7,8 @@
 //         the four sides is a plane, no division:
 //           keep iff  fx x - a z + reach s >= 0,   a = Window window_x - center_x - ReachMargin    (and three more)
 //         x, z, s are cut to 17 bits with a common exponent, always to the side that keeps: it never drops a Gaussian
-//         with alpha >= 1/AlphaCut in a pixel of the window. With lists (order 1) the window is the rectangle from
-//         window_x, window_y to the frame's last one.
+//         with alpha >= 1/AlphaCut in a pixel of the window. Where one part of it is walked the sides are the part's;
+//         with lists (order 1) they are those of the rectangle from window_x, window_y to the frame's last one.
 // Numbers view s(ViewW-1).0 in units of 2^view_exp, rounded to nearest, saturated (DOPU's view_exp leaves room).
 //         near plane exact: keep iff z 2^view_exp > near_plane.
 // Gap     With TightCull pu_reach asks how far a mean lies beyond a side: the same sums without reach s, floored to

@@ -8,7 +8,7 @@
 //         is still closed, or being opened, can hide a nearer one. When the queue is full a node is not queued but sent
 //         or opened at once: right too, only out of order. Scanning cells, opening cells, opening groups and sending
 //         each go on to the next window when they are through with one, so two windows overlap. What belongs to a done
-//         window is dropped wherever it stands.
+//         window is dropped wherever it stands. Of a window on trial (set_judges_i) groups are shown, and wait.
 // Stream  cell in (layer ends are ignored); chunk out: chunks, layer ends with a watermark, the window's end.
 // Pace    Two tests in three cycles; a node that passes costs the queue five.
 // Model   cpp_model/dopu/nearest/dopu_nearest.hpp
@@ -29,6 +29,7 @@ module dopu_nearest #(
   input  pipegs_pkg::span_t                     chunks_i,
   input  logic [2*5*pipegs_pkg::PlaneBits-1:0]  planes_i,
   input  logic [1:0]                            set_done_i,
+  input  logic [1:0]                            set_judges_i,
 
   input  logic                                  cell_valid_i,
   output logic                                  cell_ready_o,
@@ -50,6 +51,9 @@ module dopu_nearest #(
   output pipegs_pkg::node_t                     chunk_o,
   output logic [pipegs_pkg::DepthW-1:0]         mark_o,        // a layer end's watermark
 
+  output logic                                  group_valid_o,   // of a set on trial: a group passes, ...
+  output logic [pipegs_pkg::CountW-1:0]         group_chunks_o,  // ... its chunks
+  output logic                                  counted_o,       // all groups were shown
   output logic [1:0]                            bad_o,         // a cell, a group: see pipegs_line_reader
   output logic [2*pipegs_pkg::AddressW-1:0]     bad_line_o,
   output logic                                  testing_o,     // something moves inside
@@ -82,8 +86,9 @@ module dopu_nearest #(
   logic [Levels-1:0] set_q, through, working, level_done;  // the set at work; through: nothing of it is left here
   logic [1:0]        complete_q [Levels];                  // the levels that are through with a set
   logic              cells_in_q;                           // all cells of the window scanned have come
-  logic              cell_here, send_set, window_end;
+  logic              cell_here, send_set, window_end, judges, held_back;  // the set of level 1, of level 2 is on trial
 
+  assign {held_back, judges} = {set_judges_i[set_q[2]], set_judges_i[set_q[1]]};
   assign cell_here = cell_valid_i && cell_set_i == set_q[0] && !cells_in_q && working[0];
 
   always_comb begin
@@ -183,7 +188,10 @@ module dopu_nearest #(
     .result_place_o(result_place),
     .result_range_o(result_range)
   );
-  assign result_kept = result_pass || result_last;
+  assign group_valid_o  = result_valid && result_pass && result_level == 2'd1 && judges;
+  assign group_chunks_o = result_range[SlotW +: CountW];
+  assign counted_o      = through[1] && judges;
+  assign result_kept    = result_pass || result_last;
 
   // --- results: one queue per level, so that no level waits for one above it ----------------------------------------
   logic [Levels-1:0]  held_valid, held_pass, held_last, live, queue_ready, push;
@@ -288,6 +296,7 @@ module dopu_nearest #(
     for (int unsigned l = 0; l < 2; l += 1) begin
       direct[l] = full && queue_idle && !pop_valid && live[l] && open_ready[l] && set_q[l] == set_q[l+1];
     end
+    if (held_back) direct[1] = 1'b0;
     for (int unsigned l = 0; l < Levels; l += 1) begin
       retired[l] = held_valid[l] && (!live[l] || direct[l] || (insert && insert_level == 2'(l)));
     end
@@ -316,9 +325,10 @@ module dopu_nearest #(
   end
   assign few         = 32'(waiting_q[set_q[2]]) < Ahead && !crowded;
   assign group_first = !some[2] || first[1] <= first[2];
-  assign cell_first  = set_q[1] == set_q[2] && (!some[2] || first[0] <= first[2]) && (!some[1] || first[0] <= first[1]);
+  assign cell_first  = set_q[1] == set_q[2] && (!some[2] || first[0] <= first[2]) &&
+                       (!some[1] || held_back || first[0] <= first[1]);
   assign pop_open[0] = some[0] && (level_done[1] || (open_ready[0] && (!crowded || cell_first)));
-  assign pop_open[1] = some[1] && (level_done[2] || (open_ready[1] && (few || group_first)));
+  assign pop_open[1] = some[1] && (level_done[2] || (!held_back && open_ready[1] && (few || group_first)));
   assign pop_valid   = send_pop || pop_open != '0;
   assign pop_list    = send_pop ? {2'd2, send_set} : pop_open[1] ? {2'd1, set_q[2]} : {2'd0, set_q[1]};
 
@@ -415,7 +425,6 @@ module dopu_nearest #(
                      through != '0 || window_end;
   assign waiting_o = reading != '0;
 
-  logic unused;
-  assign unused = &{1'b0, held_last[0]};
+  wire unused = &{1'b0, held_last[0]};
 
 endmodule

@@ -44,6 +44,7 @@ module pu_cull (
   localparam int unsigned ScaleMW = pipegs_pkg::ScaleMW;
   localparam int unsigned WorldW  = pipegs_pkg::WorldW;
   localparam int unsigned WindowW = pipegs_pkg::WindowW;
+  localparam int unsigned PlaceW  = pipegs_pkg::PlaceW;
   localparam int unsigned Stages  = 7;  // before the output register
 
   // --- handshake: all stages advance together ----------------------------------------------------------------------
@@ -66,28 +67,28 @@ module pu_cull (
     end
   end
   pipegs_pkg::fetched_t fetched_q;
+  wire [pipegs_pkg::FetchedBits-1:0] fetched_bits = fetched_q;
   always_ff @(posedge clk_i) if (load[0]) fetched_q <= fetched_i;
 
   // --- what rides along: all of visible_t but the view coordinates, as vectors -------------------------------------
   localparam int unsigned RideW = pipegs_pkg::VisibleBits - 3 * ViewW;
   typedef struct packed {
-    logic [RideW-KindW-2*WindowW-ExpW-1:0] gaussian;
-    logic [ExpW-1:0]                       view_exp;
-    logic [WindowW-1:0]                    window_y;
-    logic [WindowW-1:0]                    window_x;
-    logic [KindW-1:0]                      kind;
+    logic [RideW-KindW-PlaceW-ExpW-1:0] gaussian;
+    logic [ExpW-1:0]                    view_exp;
+    logic [PlaceW-1:0]                  place;  // window and walk
+    logic [KindW-1:0]                   kind;
   } ride_t;
-  ride_t            ride, ride2, ride4, ride7;  // stage n reads rideN: the record in register n
+  ride_t            ride, ride2, ride4, ride6, ride7;  // stage n reads rideN: the record in register n
   logic [RideW-1:0] ride_q [Stages+1];          // 1 to 7
   assign ride.gaussian = {fetched_q.slot, fetched_q.index, fetched_q.base_b, fetched_q.base_g, fetched_q.base_r,
                           fetched_q.opacity, fetched_q.scale_2, fetched_q.scale_1, fetched_q.scale_0,
                           fetched_q.qz, fetched_q.qy, fetched_q.qx, fetched_q.qw};
   assign ride.view_exp = fetched_q.view_exp;
-  assign ride.window_x = fetched_q.window_x;
-  assign ride.window_y = fetched_q.window_y;
+  assign ride.place    = fetched_bits[KindW +: PlaceW];
   assign ride.kind     = fetched_q.kind;
   assign ride2 = ride_q[2];
   assign ride4 = ride_q[4];
+  assign ride6 = ride_q[6];
   assign ride7 = ride_q[7];
   always_ff @(posedge clk_i) begin
     if (load[1]) ride_q[1] <= ride;
@@ -208,17 +209,24 @@ module pu_cull (
   localparam int unsigned EdgeW  = WindowW + $clog2(pipegs_pkg::Window) + EdgeF + 2;
   localparam int unsigned Margin = pipegs_pkg::ReachMargin;
   localparam int unsigned Span   = ((pipegs_pkg::Window - 1 + 2 * Margin) << EdgeF) + 1;
+  localparam int unsigned HalfF  = $clog2(pipegs_pkg::Window) - 1 + EdgeF;  // of half a window's side: that of a part
   localparam int unsigned CenterCut = pipegs_pkg::CenterF - EdgeF;
   localparam int unsigned ShiftW = pipegs_pkg::CutShiftW;
-  function automatic logic signed [EdgeW-1:0] edge_of(input logic [WindowW-1:0] window,
+  function automatic logic signed [EdgeW-1:0] edge_of(input logic [WindowW-1:0] window, input logic behind,
                                                       input logic signed [pipegs_pkg::CenterW-1:0] center);
     logic signed [EdgeW-1:0] first;
     logic signed [pipegs_pkg::CenterW:0] wide;
     wide    = (pipegs_pkg::CenterW + 1)'(center);
-    first   = $signed(EdgeW'(window) << ($clog2(pipegs_pkg::Window) + EdgeF)) - EdgeW'(Margin << EdgeF);
+    first   = $signed(EdgeW'({window, behind}) << HalfF) - EdgeW'(Margin << EdgeF);
     // -ceil(center) = floor(-center).
     edge_of = first + EdgeW'((-wide) >>> CenterCut);
   endfunction
+  logic [2:0] walk4, walk6;  // of one part, half a window's side long: 1, its row, its column
+  if (pipegs_pkg::HasWalks) begin : gen_walk
+    assign {walk4, walk6} = {ride4.place[PlaceW-1 -: 3], ride6.place[PlaceW-1 -: 3]};
+  end else begin : gen_whole
+    assign {walk4, walk6} = '0;
+  end
   logic signed [EdgeW-1:0]    edge_x5_q, edge_y5_q, edge_x6_q, edge_y6_q;
   logic                       front7;
   logic signed [ViewW-1:0]    x5_q, y5_q, z5_q, sizes, normal;
@@ -239,8 +247,8 @@ module pu_cull (
     if (load[5]) begin
       {x5_q, y5_q, z5_q, s5_q, huge5_q} <= {x4_q, y4_q, z4_q, s4_q, huge4_q};
       cut5_q    <= shift < NoCut ? NoCut - shift : '0;
-      edge_x5_q <= edge_of(ride4.window_x, lens_i.center_x);
-      edge_y5_q <= edge_of(ride4.window_y, lens_i.center_y);
+      edge_x5_q <= edge_of(ride4.place[0 +: WindowW], walk4[0], lens_i.center_x);
+      edge_y5_q <= edge_of(ride4.place[WindowW +: WindowW], walk4[1], lens_i.center_y);
     end
   end
 
@@ -339,10 +347,13 @@ module pu_cull (
     assign bx7     = bx7_q;
     assign by7     = by7_q;
   end else begin : gen_window
-    logic signed [SideW-1:0] span7_q;  // the window's side times z
-    always_ff @(posedge clk_i) if (load[7]) span7_q <= SideW'(Span) * SideW'(cz6_q);
-    assign last_x6 = edge_x6_q + EdgeW'(Span);
-    assign last_y6 = edge_y6_q + EdgeW'(Span);
+    logic signed [SideW-1:0] span7_q, less6;  // the walk's side times z, and what a part's is less
+    logic signed [EdgeW-1:0] span6;
+    assign less6   = walk6[2] ? SideW'(cz6_q) <<< HalfF : '0;
+    assign span6   = EdgeW'(Span) - (walk6[2] ? EdgeW'(64'd1 << HalfF) : '0);
+    always_ff @(posedge clk_i) if (load[7]) span7_q <= SideW'(Span) * SideW'(cz6_q) - less6;
+    assign last_x6 = edge_x6_q + span6;
+    assign last_y6 = edge_y6_q + span6;
     assign bx7     = ax7_q + span7_q;
     assign by7     = ay7_q + span7_q;
   end
@@ -357,7 +368,7 @@ module pu_cull (
       out_q      <= '0;
       out_q.kind <= ride7.kind;
       if (ride7.kind == pipegs_pkg::KindData) begin
-        out_q <= {ride7.gaussian, ride7.view_exp, z7_q, y7_q, x7_q, ride7.window_y, ride7.window_x, ride7.kind};
+        out_q <= {ride7.gaussian, ride7.view_exp, z7_q, y7_q, x7_q, ride7.place, ride7.kind};
       end
     end
   end
@@ -398,8 +409,8 @@ module pu_cull (
   end
 
   // Of the normalised sizes only the shift is used.
-  wire unused_bits = &{1'b0, lens_i, windows_i, normal, ride2, ride3, ride4, ride1, s4_q[ViewW-1],
-                       size3[HighW-1:ViewW]};
+  wire unused_bits = &{1'b0, lens_i, windows_i, normal, ride1, ride2, ride3, ride4, ride6, walk4, walk6, fetched_bits,
+                       s4_q[ViewW-1], size3[HighW-1:ViewW]};
 
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni)

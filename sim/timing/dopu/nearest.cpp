@@ -25,6 +25,7 @@ Nearest::Nearest(const TimingTrace& trace, const Config& config)
       since_most_((uint32_t{1} << (clog2(config.mark_chunks + 1) + (Config::window_marks() >> 3))) - 1),
       near_step_(dopu_depth_near(trace.config, trace.frame)),
       mark_shift_(config.depth_w - config.step_w()),
+      most_groups_(config.nearest_nodes / 2),
       queue_(std::make_unique<NearestQueue>(config.nearest_nodes)),
       none_((1 << trace.config.bucket_w()) - 1),
       open_{Open(trace.frame.tables.groups, none_), Open(trace.frame.tables.chunks, none_)} {}
@@ -36,7 +37,11 @@ void Nearest::step(DopuCycle& cycle, DopuSets& sets) {
       is.through[0] || is.through[1] || is.through[2])
     cycle.moved = cycle.changed = true;
 
+  // dopu_load
+  cycle.judged = too_much_ || (is.through[1] && sets[static_cast<size_t>(set_[1])].judges);
+  cycle.parts = too_much_;
   enter(cycle, sets, is);
+  if (cycle.judged) gaussians_ = groups_ = 0, too_much_ = false, cycle.changed = true;
   if (send(cycle, sets, is)) cycle.changed = true;
 
   // The queue, and the nodes that are opened.
@@ -56,10 +61,10 @@ void Nearest::step(DopuCycle& cycle, DopuSets& sets) {
   for (size_t l = 0; l < kLevels; ++l) {
     if (is.end_due) complete_[l][static_cast<size_t>(sent)] = false;
     if (!is.through[l]) continue;
-    complete_[l][static_cast<size_t>(set_[l])] = true;
-    set_[l] ^= 1;
     if (l == 0) cells_in_ = false;
     cycle.changed = true;
+    complete_[l][static_cast<size_t>(set_[l])] = true;
+    set_[l] ^= 1;
   }
   if (!in_test_.empty()) cycle.at(in_test_.front().due);
   cycle.at(queue_->next(now));
@@ -122,15 +127,18 @@ Nearest::Said Nearest::look(const DopuCycle& cycle, const DopuSets& sets) {
   // Opening: the nearest cell, the nearest group.
   const bool few = waiting_[static_cast<size_t>(set2)] < Config::nearest_ahead() && !crowded;
   const bool group_first = !some[2] || first[1] <= first[2];
-  const bool cell_first = set1 == set2 && (!some[2] || first[0] <= first[2]) && (!some[1] || first[0] <= first[1]);
+  const bool held_back = sets[static_cast<size_t>(set2)].judges;
+  const bool cell_first =
+      set1 == set2 && (!some[2] || first[0] <= first[2]) && (!some[1] || held_back || first[0] <= first[1]);
   const bool pop_cell = some[0] && (is.level_done[1] || (open_[0].room() && (!crowded || cell_first)));
-  const bool pop_group = some[1] && (is.level_done[2] || (open_[1].room() && (few || group_first)));
+  const bool pop_group = some[1] && (is.level_done[2] || (!held_back && open_[1].room() && (few || group_first)));
   is.pop = is.pop_send ? send_list : pop_group ? list(1, set2) : pop_cell ? list(0, set1) : -1;
   is.insert = is.any_live && idle && is.pop < 0 && !is.full;
   is.insert_level = is.live[2] ? 2 : is.live[1] ? 1 : 0;
   is.direct[2] = is.load_direct;
   for (size_t l = 0; l < 2; ++l)
     is.direct[l] = is.full && idle && is.pop < 0 && is.live[l] && open_[l].room() && set_[l] == set_[l + 1];
+  is.direct[1] = is.direct[1] && !held_back;
   for (size_t l = 0; l < kLevels; ++l) {
     is.retired[l] =
         is.held[l] && (!is.live[l] || is.direct[l] || (is.insert && is.insert_level == static_cast<int>(l)));
@@ -141,7 +149,7 @@ Nearest::Said Nearest::look(const DopuCycle& cycle, const DopuSets& sets) {
 // --- nodes to test: upper levels first -------------------------------------------------------------------------------
 
 Nearest::Result Nearest::child(int level, uint32_t node, bool last, const DopuSets& sets) {
-  const TimingWalk& walk = trace_.walks[sets[static_cast<size_t>(set_[static_cast<size_t>(level)])].window];
+  const TimingWalk& walk = trace_.walks[sets[static_cast<size_t>(set_[static_cast<size_t>(level)])].walk];
   Result result{last, false, {}};
   if (level == 0) {
     const auto at = std::lower_bound(walk.cells_ranked.begin(), walk.cells_ranked.end(), node,
@@ -207,6 +215,12 @@ void Nearest::enter(DopuCycle& cycle, const DopuSets& sets, const Said& is) {
   // Results.
   if (!in_test_.empty() && in_test_.front().due <= now) {
     const InTest& in = in_test_.front();
+    const DopuSet& set = sets[static_cast<size_t>(set_[1])];
+    if (in.level == 1 && in.result.pass && set.judges) {
+      const uint32_t group = trace_.walks[set.walk].groups_ranked[in.result.node.number].node;
+      gaussians_ += uint64_t{trace_.groups[group].count} * static_cast<uint64_t>(trace_.config.chunk);
+      too_much_ = gaussians_ > trace_.frame.walk_most || ++groups_ > most_groups_;
+    }
     if (in.result.pass || in.result.last) {
       held_[in.level].push(now, in.result);
     } else {
@@ -238,7 +252,7 @@ void Nearest::open(DopuCycle& cycle, const DopuSets& sets, const Said& is) {
     if (take) {
       const int set = popped ? queue_->list() & 1 : set_[child_level];
       const NearestNode node = popped ? queue_->node() : held_[static_cast<size_t>(l)].front().node;
-      const TimingWalk& walk = trace_.walks[sets[static_cast<size_t>(set)].window];
+      const TimingWalk& walk = trace_.walks[sets[static_cast<size_t>(set)].walk];
       const TimingParent& parent = l == 0 ? walk.cells_ranked[node.number] : walk.groups_ranked[node.number];
       const TimingNode& range = (l == 0 ? trace_.cells : trace_.groups)[parent.node];
       open.job = {true, range.first, range.count, {parent.first}};
@@ -269,7 +283,7 @@ bool Nearest::send(const DopuCycle& cycle, const DopuSets& sets, const Said& is)
   out_.set = static_cast<uint8_t>(send_set_);
   if (is.end_due) {
     out_.end = kWindowEndBeat;
-    out_.last = sets[out_.set].last;
+    out_.last = sets[out_.set].walk + 1 == trace_.walks.size();
     since_ = 0, mark_ = 0, marks_ = 0;
   } else if (is.mark_due) {
     out_.end = kLayerEndBeat;

@@ -69,6 +69,12 @@ class Nearest {
   const uint32_t mark_chunks_, since_most_;
   const int near_step_, mark_shift_;
 
+  // dopu_load: of the set on trial
+  const int most_groups_;
+  uint64_t gaussians_ = 0;
+  int groups_ = 0;
+  bool too_much_ = false;
+
   // levels: 0 scans cells, 1 opens cells, 2 opens groups
   std::array<int, kLevels> set_{};
   std::array<std::array<bool, 2>, kLevels> complete_{};

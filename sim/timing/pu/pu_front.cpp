@@ -37,7 +37,7 @@ void Pu::reader(Machine& m, Cycle now) {
   const bool take = room && m.dopu.chunk_shown(lane_, now) && (!is_mark || marks.room(now));
   if (take) {
     const ChunkBeat& chunk = m.dopu.take_chunk(m, lane_);
-    m.show(now, Border::kChunk, lane_, is_end(chunk.end) ? shown_end(chunk.end == kWindowEndBeat) : 0);
+    m.show(now, Border::kChunk, lane_, is_end(chunk.end) ? shown_end(end_kind(chunk.end)) : 0);
     if (is_mark) marks.push(now, chunk.mark);
     if (!front_) return;
     job.read = !is_end(chunk.end);

@@ -210,7 +210,7 @@ void Su::collect(Machine& m, Cycle now, const Now& is) {
     m.peak_records = std::max(m.peak_records, static_cast<uint64_t>(used_));
   }
   const Collect before = collect_;
-  const bool all = is.in != nullptr && (!marks_cut_ || is.in->beat == kWindowEndBeat);
+  const bool all = is.in != nullptr && (!marks_cut_ || is.in->beat != kLayerEndBeat);
   switch (collect_) {
     case kCollect:
       if (is.spill_start) collect_ = kSpill;

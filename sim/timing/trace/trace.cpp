@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "cpp_model/dopu/dopu.hpp"
+#include "cpp_model/dopu/dopu_walks.hpp"
 #include "cpp_model/dopu/nearest/dopu_depth.hpp"
 #include "cpp_model/float/parallel.hpp"
 #include "cpp_model/pu/pu_parts.hpp"
@@ -15,7 +16,7 @@ namespace {
 
 // A window's part of the trace before the parts are joined.
 struct Part {
-  TimingWalk walk;
+  std::vector<TimingWalk> walks;
   TimingWindow window;
   std::vector<TimingChunk> chunks;
   std::vector<uint64_t> mask, key;
@@ -43,16 +44,36 @@ class WindowTrace {
         frame_(input.frame),
         rows_(rows),
         x_(x),
-        y_(y),
-        planes_(dopu_planes(config_, frame_, x, y)) {}
+        y_(y) {}
 
   Part run() {
-    config_.has_watermarks() ? ranked() : slabs();
+    if (config_.has_watermarks()) {
+      layers_.emplace_back();
+      const std::vector<uint64_t> walks = dopu_walks(config_, frame_, packed_, x_, y_);
+      if (walks.front() != kWholeWalk) {
+        begin(kWholeWalk);
+        walk().given_up = true;
+        ranked();
+      }
+      for (const uint64_t one : walks) {
+        begin(one);
+        walk().ends = one == walks.back();
+        ranked();
+      }
+    } else {
+      begin(kWholeWalk);
+      slabs();
+    }
     part_.window = trace_window(input_, rows_, static_cast<uint64_t>(x_), static_cast<uint64_t>(y_), layers_);
     return std::move(part_);
   }
 
  private:
+  TimingWalk& walk() { return part_.walks.back(); }
+  void begin(uint64_t walk) {
+    planes_ = dopu_planes(config_, frame_, x_, y_, walk);
+    part_.walks.push_back({.walk = walk, .first_chunk = part_.chunks.size()});
+  }
   // Of a node in this bucket; with watermarks, else nothing asks for it.
   bool passes(const Node& node, int parent) const {
     const int step = config_.has_watermarks() ? dopu_depth_edge(config_, frame_, parent) : 0;
@@ -62,8 +83,8 @@ class WindowTrace {
 
   // Slab by slab.
   void slabs() {
-    part_.walk.cells.resize((packed_.cells.size() + 63) / 64);
-    part_.walk.groups.resize((packed_.groups.size() + 63) / 64);
+    walk().cells.resize((packed_.cells.size() + 63) / 64);
+    walk().groups.resize((packed_.groups.size() + 63) / 64);
     const int axis = dopu_axis(frame_), camera = dopu_layer_camera(config_, frame_, axis);
     for (int step = 0; step < 2 * config_.grid; ++step) {
       const int slab = dopu_layer_step(config_, camera, step);
@@ -73,10 +94,10 @@ class WindowTrace {
         const auto number = static_cast<uint64_t>(dopu_layer_cell(config_, axis, slab, n));
         const Node& cell = packed_.cells[number];
         if (cell.count == 0 || !passes(cell, 0)) continue;
-        set_bit(part_.walk.cells, number);
+        set_bit(walk().cells, number);
         for (uint64_t g = cell.first; g < cell.first + cell.count; ++g) {
           if (!passes(packed_.groups[g], 0)) continue;
-          set_bit(part_.walk.groups, g);
+          set_bit(walk().groups, g);
           chunks(packed_.groups[g], 0);
         }
       }
@@ -85,21 +106,19 @@ class WindowTrace {
 
   // In the order of the tables, with buckets of depth.
   void ranked() {
-    layers_.emplace_back();
     for (uint64_t number = 0; number < packed_.cells.size(); ++number) {
       const Node& cell = packed_.cells[number];
       if (cell.count == 0 || !passes(cell, 0)) continue;
       const int cell_bucket = bucket(cell, 0);
-      part_.walk.cells_ranked.push_back({static_cast<uint32_t>(number),
-                                         static_cast<uint32_t>(part_.walk.groups_ranked.size()),
-                                         static_cast<uint16_t>(cell_bucket)});
+      walk().cells_ranked.push_back({static_cast<uint32_t>(number), static_cast<uint32_t>(walk().groups_ranked.size()),
+                                     static_cast<uint16_t>(cell_bucket)});
       for (uint64_t g = cell.first; g < cell.first + cell.count; ++g) {
         const Node& group = packed_.groups[g];
         if (!passes(group, cell_bucket)) continue;
         const int group_bucket = bucket(group, cell_bucket);
-        part_.walk.groups_ranked.push_back({static_cast<uint32_t>(g), static_cast<uint32_t>(part_.chunks.size()),
-                                            static_cast<uint16_t>(group_bucket)});
-        chunks(group, group_bucket);
+        walk().groups_ranked.push_back({static_cast<uint32_t>(g), static_cast<uint32_t>(part_.chunks.size()),
+                                        static_cast<uint16_t>(group_bucket)});
+        if (!walk().given_up) chunks(group, group_bucket);
       }
     }
   }
@@ -109,7 +128,8 @@ class WindowTrace {
       const Node& node = packed_.chunks[i];
       if (!passes(node, group_bucket)) continue;
       const int own_bucket = config_.has_watermarks() ? bucket(node, group_bucket) : 0;
-      const Chunk chunk = dopu_origin(config_, frame_, node, x_, y_);
+      Chunk chunk = dopu_origin(config_, frame_, node, x_, y_);
+      chunk.walk = walk().walk;
       TimingChunk sent{static_cast<uint32_t>(i), static_cast<uint32_t>(part_.slot.size()), 0,
                        static_cast<uint16_t>(own_bucket)};
       for (uint64_t k = 0; k < chunk.count; ++k) {
@@ -123,7 +143,7 @@ class WindowTrace {
           no_pair();
           continue;
         }
-        const std::vector<PuPart> parts = pu_parts(config_, found->conic);
+        const std::vector<PuPart> parts = pu_parts(config_, found->conic, chunk.walk);
         part_.pairs.push_back(static_cast<uint32_t>(parts.size()));
         for (const PuPart& one : parts) {
           const TracePair pair = trace_pair(input_, one.conic, found->payload, one.part);
@@ -136,6 +156,7 @@ class WindowTrace {
         }
       }
       part_.chunks.push_back(sent);
+      ++walk().chunks;
     }
   }
 
@@ -156,7 +177,7 @@ class WindowTrace {
   const Frame& frame_;
   const PuRows& rows_;
   const int x_, y_;
-  const Planes planes_;
+  Planes planes_;  // of the present walk
   Part part_;
   std::vector<std::vector<TraceSplat>> layers_;
 };
@@ -175,9 +196,12 @@ void trace_windows(const GoldenInput& input, unsigned threads, TimingTrace& trac
     const auto base = static_cast<uint32_t>(trace.slot.size()),
                chunks = static_cast<uint32_t>(trace.chunks_sent.size()),
                quads = static_cast<uint32_t>(trace.quads.size());
-    part.walk.first_chunk = chunks;
-    part.walk.chunks = part.chunks.size();
-    for (TimingParent& group : part.walk.groups_ranked) group.first += chunks;
+    for (TimingWalk& walk : part.walks) {
+      walk.window = trace.windows.size();
+      walk.first_chunk += chunks;
+      for (TimingParent& group : walk.groups_ranked) group.first += chunks;
+      trace.walks.push_back(std::move(walk));
+    }
     for (TimingChunk chunk : part.chunks) {
       chunk.first += base;
       trace.chunks_sent.push_back(chunk);
@@ -198,7 +222,6 @@ void trace_windows(const GoldenInput& input, unsigned threads, TimingTrace& trac
     trace.boxes.insert(trace.boxes.end(), part.boxes.begin(), part.boxes.end());
     for (const uint32_t first : part.quads_first) trace.quads_first.push_back(quads + first);
     trace.quads.insert(trace.quads.end(), part.quads.begin(), part.quads.end());
-    trace.walks.push_back(std::move(part.walk));
     trace.windows.push_back(std::move(part.window));
     part = {};
   }
@@ -216,7 +239,7 @@ Config timing_config(Config config) {
   config.records = standard.records;
   config.fetch_lines = standard.fetch_lines;
   if (!config.has_watermarks()) config.bucket_bits = standard.bucket_bits;
-  config.nearest_nodes = standard.nearest_nodes;
+  if (!config.has_walks()) config.nearest_nodes = standard.nearest_nodes;  // see dopu_load
   config.mark_chunks = standard.mark_chunks;
   config.late = standard.late;
   config.quadratic = standard.quadratic;

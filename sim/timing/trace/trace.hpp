@@ -42,8 +42,13 @@ struct TimingParent {
   uint16_t bucket = 0;
 };
 
-// The DOPU's walk for a window, or with lists for the frame.
+// A walk of the DOPU, or with lists that of the frame. A window that goes by parts has one more before them, which is
+// given up before a group of it is opened.
 struct TimingWalk {
+  size_t window = 0;  // of TimingTrace::windows
+  uint64_t walk = kWholeWalk;
+  bool given_up = false;
+  bool ends = true;                                       // its window's last
   size_t first_chunk = 0, chunks = 0;                     // of TimingTrace::chunks_sent
   std::vector<uint64_t> cells, groups;                    // bits of the nodes that pass, by node; orders 0 and 1
   std::vector<TimingParent> cells_ranked, groups_ranked;  // order 2
@@ -65,7 +70,7 @@ struct TimingTrace {
   Picture picture;
   uint64_t slots = 0;  // of the packed scene
   std::vector<TimingNode> cells, groups, chunks;
-  std::vector<TimingWalk> walks;  // one for each window; one with lists
+  std::vector<TimingWalk> walks;  // of each window in turn; one with lists
   std::vector<TimingChunk> chunks_sent;
   std::vector<TimingWindow> windows;  // row by row from frame.first to frame.last
   // By survivor of a cull.

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// dopu_nearest_test: rtl/dopu/pipegs_dopu.sv whole with order = 2, on random packed scenes: every chunk of every window
+// dopu_nearest_test: rtl/dopu/pipegs_dopu.sv whole with order = 2, on random packed scenes: every chunk of every walk
 // once, and every watermark right, against cpp_model/dopu/nearest/dopu_nearest.hpp.
+#include <array>
 #include <cstdlib>
+#include <functional>
 #include <map>
 
+#include "cpp_model/dopu/dopu_walks.hpp"
 #include "cpp_model/dopu/nearest/dopu_nearest.hpp"
 #include "scenes/ply/ply.hpp"
 #include "verif/dopu/dopu_bench.hpp"
@@ -22,31 +25,42 @@ struct Tally {
   double released = 0;  // sum over the chunks: was it below the last watermark of its window
 };
 
-// All windows of a frame, in the order in which they are walked; `crowded`: more nodes pass than the queue holds.
+// All walks of a frame, of a window or of a part, in their order; `crowded`: more nodes pass than the queue holds.
 struct Expected {
-  std::vector<Window> windows;
+  std::vector<Window> windows;              // of each walk
+  std::vector<std::array<uint64_t, 3>> at;  // column, row, kind of the end
+  std::vector<uint64_t> walks;
   std::vector<bool> crowded;
-  uint64_t nodes_passed = 0;
+  uint64_t nodes_passed = 0, parts = 0;
   explicit Expected(const World& world) {
     const Frame& frame = world.frame;
     std::vector<size_t> nodes;
     for (uint64_t y = frame.raster.windows.first_y; y <= frame.raster.windows.last_y; ++y) {
       for (uint64_t x = frame.raster.windows.first_x; x <= frame.raster.windows.last_x; ++x) {
-        Window window;
-        dopu_nearest(world.config, frame, world.packed, static_cast<int>(x), static_cast<int>(y),
-                     [&](int bucket, const Chunk& chunk, uint64_t) {
-                       window[chunk.slot] = {chunk, bucket};
-                     });
-        const Planes planes = dopu_planes(world.config, frame, static_cast<int>(x), static_cast<int>(y));
-        size_t passed = window.size();
-        const int near = dopu_depth_near(world.config, frame);  // with it as its depth a node passes most easily
-        for (const auto* level : {&world.packed.cells, &world.packed.groups}) {
-          for (const Node& node : *level)
-            passed += node.count != 0 && dopu_test(world.config, frame, planes, node, near);
+        const int column = static_cast<int>(x), row = static_cast<int>(y);
+        const std::vector<uint64_t> here = dopu_walks(world.config, frame, world.packed, column, row);
+        for (const uint64_t walk : here) {
+          Window window;
+          dopu_nearest(world.config, frame, world.packed, column, row, walk,
+                       [&](int bucket, const Chunk& chunk, uint64_t) {
+                         window[chunk.slot] = {chunk, bucket};
+                       });
+          const Planes planes = dopu_planes(world.config, frame, column, row, walk);
+          size_t passed = window.size();
+          const int near = dopu_depth_near(world.config, frame);  // with it as its depth a node passes most easily
+          for (const auto* level : {&world.packed.cells, &world.packed.groups}) {
+            for (const Node& node : *level)
+              passed += node.count != 0 && dopu_test(world.config, frame, planes, node, near);
+          }
+          nodes_passed += passed;
+          // In the queue beside them, those of a walk that is given up.
+          if (frame.walk_most != 0) passed += world.packed.cells.size() + world.packed.groups.size();
+          nodes.push_back(passed);
+          windows.push_back(std::move(window));
+          at.push_back({x, y, uint64_t{walk == here.back() ? kWindowEnd : kPartEnd}});
+          walks.push_back(walk);
+          parts += walk != kWholeWalk;
         }
-        nodes.push_back(passed);
-        nodes_passed += passed;
-        windows.push_back(std::move(window));
       }
     }
     for (size_t i = 0; i < nodes.size(); ++i) {  // the next window's nodes wait in the same queue
@@ -56,12 +70,14 @@ struct Expected {
   }
 };
 
-// Follows the stream of all units and checks it against what is expected; `whole`: no chunk may lack.
+// Follows the stream of all units and checks it against what is expected; no chunk may lack of a walk that was not
+// closed.
 struct Checker {
   const Config& config;
   const World* world = nullptr;
   const Expected* expected = nullptr;
-  bool whole = true;
+  uint64_t parts = 0;  // walks of parts so far
+  std::function<bool(uint64_t walk)> closed = [](uint64_t) { return false; };
   size_t window = 0, since = 0;
   std::map<uint64_t, int> sent;  // slot -> bucket, of this window
   std::vector<uint64_t> marks;   // of this window
@@ -75,6 +91,7 @@ struct Checker {
   void begin(const World& w, const Expected& e) {
     world = &w;
     expected = &e;
+    parts += e.parts;
     window = since = 0;
     farthest = 0;
     sent.clear();
@@ -112,11 +129,10 @@ struct Checker {
       ++tally.marks;
     } else {
       const Frame& frame = world->frame;
-      const uint64_t columns = frame.raster.windows.last_x - frame.raster.windows.first_x + 1;
-      ASSERT_EQ(chunk.window_x, frame.raster.windows.first_x + window % columns);
-      ASSERT_EQ(chunk.window_y, frame.raster.windows.first_y + window / columns);
+      const std::array<uint64_t, 3> end = {chunk.window_x, chunk.window_y, chunk.kind};
+      ASSERT_EQ(end, expected->at[window]) << "walk " << window;
       ASSERT_EQ(chunk.watermark, 0u);
-      if (whole) ASSERT_EQ(sent.size(), here.size()) << "window " << window;
+      if (!closed(expected->walks[window])) ASSERT_EQ(sent.size(), here.size()) << "walk " << window;
       for (const auto& [slot, bucket] : sent) {
         tally.released += !marks.empty() && dopu_depth_key(config, frame, bucket) < marks.back();
       }
@@ -157,6 +173,7 @@ TEST(DopuNearest, SendsEveryChunkOnceWhateverStandsAroundIt) {
     EXPECT_EQ(checker.tally.early, 0u) << "chunks sent behind farther ones although the queue had room";
     EXPECT_GT(checker.tally.marks, 20u);
     EXPECT_GT(checker.tally.chunks, 1000u);
+    EXPECT_EQ(checker.parts > 20, dopu.config.has_walks());
   }
 }
 
@@ -178,16 +195,23 @@ TEST(DopuNearest, SendsEveryChunkOnceToSlowUnits) {
 TEST(DopuNearest, SkipsTheRestOfAWindowThatIsDone) {
   Dopu<> dopu({.latency = 60, .jitter = 30}, Pace::kCoin);
   Checker checker(dopu.units, dopu.config);
-  checker.whole = false;
   Feedback feedback(dopu.bench, dopu.units, dopu.config);
+  checker.closed = [&](uint64_t walk) {
+    for (uint64_t part = 0; part < static_cast<uint64_t>(dopu.config.parts()); ++part) {
+      if (walk_has(dopu.config, walk, part) && (feedback.parts >> part & 1) == 0) return false;
+    }
+    return true;
+  };
   auto& rng = dopu.bench.rng;
   feedback.next_window = [&] {
     const size_t some[] = {0, 1, rng() % 8, rng() % 60, rng() % 400, 100000};
     feedback.after = some[rng() % 6];
+    feedback.parts = rng() % 3 != 0 ? ~uint64_t{0} : rng();
   };
   size_t all = 0;
   for (int frame = 0; frame < 4; ++frame) {
-    const World world(rng, frame == 3 ? 2000 : 20000, 200, 150);
+    World world(rng, frame == 3 ? 2000 : 20000, 200, 150);
+    if (world.config.has_walks()) world.frame.walk_most = frame % 2 == 0 ? 1 : 60000;
     const Expected expected(world);
     for (const Window& window : expected.windows) all += window.size();
     checker.begin(world, expected);
@@ -212,7 +236,8 @@ TEST(DopuNearest, NeedsNoClockWhenItSaysSo) {
   Dopu<GatedBench<Vpipegs_dopu>> dopu({.latency = 300, .bytes_per_cycle = 0.1, .jitter = 100, .queue = 1});
   dopu.units.rare = 600;
   Checker checker(dopu.units, dopu.config);
-  const World world(dopu.bench.rng, 300, 3 * dopu.config.window, 2 * dopu.config.window);
+  World world(dopu.bench.rng, 300, 3 * dopu.config.window, 2 * dopu.config.window);
+  if (world.config.has_walks()) world.frame.walk_most = 100;
   const Expected expected(world);
   checker.begin(world, expected);
   dopu.frame(world, true);

@@ -104,17 +104,20 @@ TEST(PuCull, ModelDropsNothingThatReachesAPixelOfTheWindow) {
       const ExactCovariance e = exact_covariance(random, frame, o);
       // Conservative in favour of "reaches": the largest power over the window seen along each axis alone.
       const auto real = [](auto value, int down) { return std::ldexp(static_cast<double>(value), -down); };
-      const auto side = [&](int64_t x, uint64_t focal, int64_t center, uint64_t window, uint64_t last,
+      const WalkSquare square = walk_square(config, in.walk);
+      const auto side = [&](int64_t x, uint64_t focal, int64_t center, uint64_t window, int64_t beside, uint64_t last,
                             double variance) {
-        const double most = side_pixels(config, window, last) - 1;
+        const double most = side_pixels(config, in.walk, window, last) - 1;
         const double m = real(focal, config.focal_f()) * static_cast<double>(x) / static_cast<double>(v.view_z) +
-                         real(center, config.center_f()) - static_cast<double>(window) * config.window;
+                         real(center, config.center_f()) - static_cast<double>(window) * config.window -
+                         static_cast<double>(beside);
         const double off = m < 0 ? -m : m > most ? m - most : 0;
         return off * off / variance;
       };
-      const double far = std::max(
-          side(v.view_x, frame.lens.focal_x, frame.lens.center_x, in.window_x, frame.raster.windows.last_x, e.a),
-          side(v.view_y, frame.lens.focal_y, frame.lens.center_y, in.window_y, frame.raster.windows.last_y, e.c));
+      const double far = std::max(side(v.view_x, frame.lens.focal_x, frame.lens.center_x, in.window_x, square.x,
+                                       frame.raster.windows.last_x, e.a),
+                                  side(v.view_y, frame.lens.focal_y, frame.lens.center_y, in.window_y, square.y,
+                                       frame.raster.windows.last_y, e.c));
       const bool reaches = far <= 2 * power_max;
       const bool keeps = pu_cull(config, frame, in).has_value();
       if (reaches) { ASSERT_TRUE(keeps) << to_text(config, in) << "\n" << to_text(config, frame); }
