@@ -154,8 +154,12 @@ module su_runs (
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
-      state_q <= Load;
+      state_q  <= Load;
+      filled_q <= '0;
     end else begin
+      if (write_o) filled_q <= filled_q + 1'b1;
+      if (item_valid_o && item_ready_i) filled_q <= filled_q - 1'b1;
+      if ((state_q == Sort && written_i) || start_i || again_i) filled_q <= '0;
       unique case (state_q)
         Load: begin
           if (refill_q && through) begin
@@ -175,14 +179,10 @@ module su_runs (
     if (read_ready_i) asked_q <= asked_q + 1'b1;
     if (look) seen_q <= seen_q + 1'b1;
     if (look && stays) rest_q <= rest_q + 1'b1;
-    if (write_o) filled_q <= filled_q + 1'b1;
-    if (item_valid_o && item_ready_i) filled_q <= filled_q - 1'b1;
     if (state_q == Group) formed_q <= formed_q + SlotW'(filled_q);
-    if (state_q == Sort && written_i) filled_q <= '0;
     if (start_i || again_i) begin
       asked_q  <= '0;
       seen_q   <= '0;
-      filled_q <= '0;
       formed_q <= '0;
       rest_q   <= '0;
       refill_q <= again_i && refill_i;
