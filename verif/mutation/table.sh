@@ -245,14 +245,13 @@ mutant su_emit "the end of a set that spilled asks the memory for a record" \
 mutant su_port "a line behind its area is asked for" 's/\(line_q\) >= (pipegs_pkg::area_lines)/(line_q) > \1/' su
 mutant su_port "goes on behind a line that has no room" 's/(choice_q != None) && !full_o/\1/' su
 mutant su_port "asks for lines without room" 's/read_valid_i && room/read_valid_i/' su
-mutant su_port "a line is written while a record is being read" "s/(writes = )behind_q == '0/\11'b1/" su_marks_tiny
 mutant su_buckets "the bucket of the mark leaves too" "s/(LowW'\(i\)) < job_low/\1 <= job_low/" su_marks
 mutant su_buckets "a word of buckets that was given up comes back" "s/(with_bucket = )held \? word : '0/\1word/" su
 mutant su_gather "a full pool spills nothing" "s/(\.full_i)\(.*\),/\1(1'b0),/" su_tiny
 mutant su_sort "an end overtakes the keys before it" 's/(end_go *= chain_valid_i && is_end) && split_idle_o/\1/' su
 mutant su_overflow "a line of keys is shown as a record, too" 's/(line_valid_o = line_shown) && !line_fetch/\1/' su_tiny
 mutant su_external "a run is as long when it is merged as its groups were" \
-       "s/forms \? (SlotW'\(group_count_o\)) : merge_keys/\1/" su_tiny
+       "s/forms \? (SlotW'\(group_o\.count\)) : merge_keys/\1/" su_tiny
 
 # --- rtl/ru -----------------------------------------------------------------------------------------------------------
 group ru "RU"

@@ -265,7 +265,6 @@ class Su {
   Choice choice_ = kNothing;
   int flight_ = 0;   // lines asked for and not yet used
   int awaited_ = 0;  // of these, the unanswered ones
-  int behind_ = 0;   // answers until that to the last read of a record
   SramQueue<uint8_t, kAnswers> answers_;
   std::deque<int> owners_;  // of the lines in flight: a way, or kRecordLine
   bool record_taken_ = false, keys_taken_ = false, run_taken_ = false, fetch_taken_ = false, read_taken_ = false,

@@ -15,11 +15,9 @@ void Su::port(Machine& m, Cycle now) {
   record_taken_ = keys_taken_ = run_taken_ = fetch_taken_ = read_taken_ = false;
   if (spill_ == kSpillIdle && collect_ != kSpill && choice_ == kNothing && awaited_ == 0) return;
   const bool shown = shown_record(now) != kNoRecord, listed = keys_listed(shown);
-  const bool writes = behind_ == 0;
   if (m.memory.answered(port_)) {
     answers_.push(now, 0);
     --awaited_;
-    if (behind_ > 0) --behind_;
     moved_ = true;
   }
   const External& e = external_;
@@ -32,7 +30,6 @@ void Su::port(Machine& m, Cycle now) {
     if (fetch_taken_ || read_taken_) {
       ++flight_;
       ++awaited_;
-      if (read_taken_) behind_ = awaited_;
       owners_.push_back(read_taken_ ? kRecordLine : lists() ? 0 : e.asked_way);
     } else {
       ++m.overflow_lines;
@@ -43,13 +40,13 @@ void Su::port(Machine& m, Cycle now) {
   }
   if (choice_ != kNothing) return;
   const auto records = static_cast<uint32_t>(records_out_.size());
-  if (shown && !listed && writes) {
+  if (shown && !listed) {
     choice_ = kRecord;
     m.memory.ask(port_, overflow_line(m, Area::kRecords, records), true);
-  } else if (listed && writes) {
+  } else if (listed) {
     choice_ = kKeys;
     m.memory.ask(port_, overflow_line(m, Area::kKeys, records / kKeysPerLine), true);
-  } else if (e.lines_full && writes) {
+  } else if (e.lines_full) {
     choice_ = kRun;
     const Area area = e.level == kForm || !e.area ? Area::kRuns : Area::kMerged;
     m.memory.ask(port_, overflow_line(m, area, e.lines_number), true);
