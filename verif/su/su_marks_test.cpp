@@ -113,7 +113,10 @@ TEST(SuMarks, ASpillEndsWithTheNextMark) {
     for (uint64_t i = 0; i < records + 5; ++i) beats.push_back(bench.data(depth_of(4) + i));
     beats.push_back(bench.end(kLayerEnd, depth_of(8)));
     bench.push(beats);
-    bench.run_until_sent(records + 5 + 1, 100 * records + 10000);
+    bench.run_until_sent(records + 5, 100 * records + 10000);
+    bench.blocked = true;  // the mark waits for the merge, and what is left for the mark
+    for (uint64_t i = 0; i < 60 * records + 5000; ++i) bench.step();
+    bench.blocked = false;
     for (uint64_t i = 0; i < 60 * records + 5000; ++i) bench.step();
     EXPECT_EQ(bench.out.size(), records + 5 + 1) << left << " are left";
     const bool stays = left > records / 2;
