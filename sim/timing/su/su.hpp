@@ -157,7 +157,7 @@ class Su {
   }
   bool open() const { return spill_ == kClose || closed(); }  // the pool is empty
   bool closed() const { return spill_ == kSend || spill_ == kRefill; }
-  bool returns() const { return external_.form == kReturn; }  // the output goes into the pool
+  bool returns() const { return external_.form == kReturn; }                    // the output goes into the pool
   bool lists() const { return external_.level == kForm || spill_ == kRefill; }  // memory is asked for the list
   bool closes() const { return spill_ == kClose && collect_ == kSort; }
   Source shown_record(Cycle now) const;

@@ -89,8 +89,7 @@ void Su::form_runs(Cycle now, const Now& is, bool line, bool written) {
         const uint32_t bucket = marks_cut_ ? bucket_of(record.key) : 0;
         if (!marks_cut_ || (bucket >= e.from && (e.refill || is.mark_all || bucket < is.mark_bucket)))
           e.pool.push_back(record);
-        else if (bucket >= e.from)
-          ++e.rest;
+        else if (bucket >= e.from) ++e.rest;
         ++e.seen;
         if (e.seen % kKeysPerLine == 0 || (closed() && e.seen == count))
           answers_.pop(now), owners_.pop_front(), line_used_ = true;
