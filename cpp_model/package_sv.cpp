@@ -310,7 +310,8 @@ constexpr const char* kBundles = R"(
 // The division of the overflow area, see areas.hpp: its C++ twin reads the same table.
 void print_areas(const pipegs::Config& c) {
   using pipegs::Area;
-  static constexpr const char* kNames[] = {"AreaKeys", "AreaRuns", "AreaRecords", "AreaEven", "AreaOdd", "AreaLists"};
+  static constexpr const char* kNames[] = {"AreaKeys", "AreaMerged", "AreaRuns", "AreaRecords",
+                                           "AreaEven", "AreaOdd",    "AreaLists"};
   constexpr const char* kHead =
       "  function automatic logic [AddressW-1:0] {}(input logic [AddressW-1:0] size, {}input logic [2:0] area);\n";
   std::printf("\n  // Parts of an overflow area of `size` lines: see cpp_model/areas/areas.hpp.\n");

@@ -322,6 +322,8 @@ package pipegs_pkg;
   localparam int unsigned SuWays         = 16;  // sorted runs in external memory that an SU merges at once (overflow)
   localparam int unsigned SuWayLines     = 8;  // lines of each of them that its pool holds, eight slots each
   localparam int unsigned SuRunKeys      = 6;  // keys of a run in a line, each with the number of its record
+  // records of a set that spilled that return to the pool of an SU: no more may be left
+  localparam int unsigned SuRefill       = 704;
   localparam int unsigned RuQueue        = 64;  // Gaussians before an RU: evens out which one has more to do
   localparam int unsigned RuRecords      = 40;  // Gaussians in an RU whose lines of alphas are on their way
 
@@ -1074,15 +1076,17 @@ package pipegs_pkg;
 
   // Parts of an overflow area of `size` lines: see cpp_model/areas/areas.hpp.
   localparam logic [2:0] AreaKeys = 3'd0;
-  localparam logic [2:0] AreaRuns = 3'd1;
-  localparam logic [2:0] AreaRecords = 3'd2;
-  localparam logic [2:0] AreaEven = 3'd3;
-  localparam logic [2:0] AreaOdd = 3'd4;
-  localparam logic [2:0] AreaLists = 3'd5;
+  localparam logic [2:0] AreaMerged = 3'd1;
+  localparam logic [2:0] AreaRuns = 3'd2;
+  localparam logic [2:0] AreaRecords = 3'd3;
+  localparam logic [2:0] AreaEven = 3'd4;
+  localparam logic [2:0] AreaOdd = 3'd5;
+  localparam logic [2:0] AreaLists = 3'd6;
   // lines of it
   function automatic logic [AddressW-1:0] area_lines(input logic [AddressW-1:0] size, input logic [2:0] area);
     case (area)
-      AreaKeys: area_lines = size >> 4;
+      AreaKeys: area_lines = size >> 5;
+      AreaMerged: area_lines = size >> 5;
       AreaRuns: area_lines = size >> 4;
       AreaRecords: area_lines = size >> 3;
       AreaEven: area_lines = size >> 4;
@@ -1095,6 +1099,7 @@ package pipegs_pkg;
   function automatic logic [AddressW-1:0] area_place(input logic [AddressW-1:0] size, input logic [2:0] area);
     case (area)
       AreaKeys: area_place = '0;
+      AreaMerged: area_place = (size >> 5);
       AreaRuns: area_place = (size >> 4);
       AreaRecords: area_place = (size >> 4) << 1;
       AreaEven: area_place = (size >> 4) << 1;

@@ -152,7 +152,6 @@ module pipegs_sorting #(
       .out_valid_o(in_order_valid[k]),
       .out_ready_i(in_order_ready[k]),
       .out_o(in_order.of[k]),
-      .spill_i((spilling & ~(Units'(1) << k)) != '0),
       .spilling_o(spilling[k]),
       .mem_valid_o(sort_o.valid[k]),
       .mem_ready_i(sort_i.ready[k]),

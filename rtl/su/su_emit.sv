@@ -98,6 +98,7 @@ module su_emit (
   logic [pipegs_pkg::SplatBits-PayloadAt-1:0] payload;
   logic [KeyW-1:0]   key;
   logic              sent;
+  pipegs_pkg::splat_t entry_splat;  // with the record of the pool
 
   assign entry = {item_end_i ? item_slot_i[KindW-1:0] : pipegs_pkg::KindData, outside, item_slot_i, item_key_i};
   pipegs_sram_fifo #(.DataW(EntryW), .Depth(pipegs_pkg::SuWaiting)) u_waiting (
@@ -119,22 +120,19 @@ module su_emit (
   assign out_valid_o  = valid_q && (!outside_q || line_valid_i);
   assign sent         = out_valid_o && out_ready_i;
   assign line_ready_o = sent && outside_q;
-  assign payload      = kind_q != pipegs_pkg::KindData ? '0 :
-                        outside_q ? line_i[pipegs_pkg::SplatBits-1:PayloadAt] : record_i;
+  assign payload      = kind_q == pipegs_pkg::KindData ? record_i : '0;
   assign key          = kind_q == pipegs_pkg::KindData ? key_q : '0;
+  assign out_o        = outside_q ? line_i : entry_splat;
   if (KeyW > pipegs_pkg::DepthW) begin : gen_name  // index and part are a key's lower bits, a splat's upper ones
-    assign out_o = {payload, key[KeyW-pipegs_pkg::DepthW-1:0], key[KeyW-1 -: pipegs_pkg::DepthW], kind_q};
+    assign entry_splat = {payload, key[KeyW-pipegs_pkg::DepthW-1:0], key[KeyW-1 -: pipegs_pkg::DepthW], kind_q};
   end else begin : gen_depth
-    assign out_o = {payload, key, kind_q};
+    assign entry_splat = {payload, key, kind_q};
   end
   assign free_o       = record_read_o;
   assign free_slot_o  = head_slot;
   assign empty_o      = waiting == '0 && !valid_q;
   assign active_o     = item_go || look || number_write_i || read_ready_i || sent || (head_valid && head_ready) ||
                         (waiting != '0 && !head_valid);
-
-  logic unused_line;
-  assign unused_line = &{1'b0, line_i[PayloadAt-1:0]};
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin

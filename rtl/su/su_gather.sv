@@ -42,13 +42,17 @@ module su_gather #(
   input  logic                  mark_first_i,  // of a set that spilled: it goes before the next key
   input  logic                  mark_ready_i,
 
-  input  logic                  spill_i,        // another SU is spilling
   output logic                  spilling_o,
   output logic                  spill_start_o,  // the present set spills
   output logic                  spill_valid_o,  // record_o goes to memory
   input  logic                  spill_ready_i,
   output logic                  spill_ended_o,
-  input  logic                  spill_done_i,   // its last mark has left
+  input  logic                  spill_stay_i,   // its mark has left; the set goes on spilling ...
+  input  logic                  returns_i,      // ... or what is left of it comes back instead of what comes in ...
+  input  logic                  back_valid_i,
+  output logic                  back_ready_o,
+  input  pipegs_pkg::splat_t    back_i,
+  input  logic                  spill_done_i,   // ... or nothing of it is in memory
   input  logic                  job_valid_i,    // all that was collected of it is to be released
   output logic                  job_done_o,
   input  logic                  drained_i,      // nothing that was released is left inside
@@ -57,7 +61,8 @@ module su_gather #(
   output logic                  moves_o
 );
 
-  logic               valid, ready, slot_valid, pool_active, collect_active, release_moves;
+  logic               in_valid, valid, ready, slot_valid, pool_active, collect_active, release_moves;
+  pipegs_pkg::splat_t in;
   logic [RecordW:0]   used;
   logic [BucketW-1:0] bucket;
   logic               insert_valid, insert_ready, set, mark_push, mark_room, mark_all, mark_spills;
@@ -69,10 +74,13 @@ module su_gather #(
     .in_valid_i,
     .in_ready_o,
     .in_i,
-    .out_valid_o(valid),
-    .out_ready_i(ready),
-    .out_o(record_o)
+    .out_valid_o(in_valid),
+    .out_ready_i(ready && !returns_i),
+    .out_o(in)
   );
+  assign valid        = returns_i ? back_valid_i : in_valid;
+  assign record_o     = returns_i ? back_i : in;
+  assign back_ready_o = returns_i && ready;
   su_bucket u_bucket (
     .octave_i,
     .depth_i(record_o.depth),
@@ -114,10 +122,11 @@ module su_gather #(
     .released_set_i(released_set),
     .full_i(used == (RecordW+1)'(pipegs_pkg::Records)),
     .drained_i,
-    .spill_i,
     .spill_start_o,
     .spilling_o,
     .ended_o(spill_ended_o),
+    .stay_i(spill_stay_i),
+    .returns_i,
     .spill_done_i,
     .active_o(collect_active)
   );

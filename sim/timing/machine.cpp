@@ -77,13 +77,6 @@ void Machine::step(int number, Cycle now) {
   }
 }
 
-bool Machine::other_spills(int lane, Cycle now) const {
-  for (int k = 0; k < units; ++k) {
-    if (k != lane && su[static_cast<size_t>(k)].spilling(now)) return true;
-  }
-  return false;
-}
-
 Cycle Machine::run() {
   while (cycle()) {}
   return cycles_;

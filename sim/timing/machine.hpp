@@ -59,7 +59,6 @@ struct Machine {
   bool cycle();  // one cycle; false when the frame was done before it
   Cycle cycles() const { return cycles_; }
   void step(int unit, Cycle now);
-  bool other_spills(int lane, Cycle now) const;  // an SU other than this one brings a set to memory
 
   const TimingTrace& trace;
   const Config config;

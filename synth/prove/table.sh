@@ -370,9 +370,8 @@ mutant "asks for lines without room" \
 mutant "a line is forgotten when it is answered" 's/if \(used \&\& !asked\)/if (rsp_valid_i \&\& !asked)/'
 mutant "the line behind an area's last one is asked for" \
        's/\(line_q\) >= pipegs_pkg::area_lines/(line_q) > pipegs_pkg::area_lines/'
-mutant "a set is written over one that is being read" 's/(writes = )behind_q == .0/\11/'
-mutant "the answer to another read frees the way for writes" 's/(behind_q <= )await_q \+ 1.b1/\1await_q/'
-mutant "runs lie over the keys" 's/run_area_i \? pipegs_pkg::AreaRuns/run_area_i ? pipegs_pkg::AreaRecords/'
+mutant "runs lie over the records" 's/run_area_i \? pipegs_pkg::AreaRuns/run_area_i ? pipegs_pkg::AreaRecords/'
+mutant "merged runs lie over the keys" 's/(run_area_i \? pipegs_pkg::AreaRuns : pipegs_pkg::)AreaMerged/\1AreaKeys/'
 mutant "the choice moves before it is taken" 's/if \(choice_q == None\) choice_q/if (!taken) choice_q/'
 
 # Narrow keys through the real pipeline and iterations, and the cells at the widths of the machine. RecordW holds a mark

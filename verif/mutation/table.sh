@@ -215,6 +215,11 @@ mutant su_output "a splat is shown to the spill too while it goes to the merge" 
        's/(back_valid_o = valid) && divert_i/\1/' su
 mutant su_collect "the end of a part turns no set" \
        's/(in_kind_i )!= (pipegs_pkg::Kind)LayerEnd/\1== \2WindowEnd/' su_marks
+mutant su_collect "a spill goes on until the end of its walk" \
+       's/(Spill: .*take && !data)\)/\1 \&\& mark_all_o)/' su_marks_tiny
+mutant su_collect "what stays in memory is followed into the pool" 's/stay_i (\? Spill : Collect)/1'"'"'b0 \1/' \
+       su_marks_tiny
+mutant su_gather "what returns is taken from the input" 's/returns_i (\? back_i : in)/1'"'"'b0 \1/' su_marks_tiny
 mutant su_merge "the end of a part goes to the RUs" 's/!= (pipegs_pkg::Kind)WindowEnd/== \1LayerEnd/' su_merge_marks
 mutant su_merge "a comparison is not inverted for the other lane" 's/(beats\[j\*Units\+i\] = )!/\1/'
 mutant su_key "index sorted downwards" 's/\{splat_i\.depth, splat_i\.index\}/{splat_i.depth, ~splat_i.index}/' su_merge
@@ -223,8 +228,14 @@ mutant su_spill "the lines of keys begin one too far" \
 mutant su_spill "a record that comes in takes the place of one that is shown" 's/(in_valid_i) && !back_q/\1/' su
 mutant su_spill "the last key of a line is not that of its record" 's/if \(shown\) (keys_o)/if (!shown) \1/' su_tiny
 mutant su_spill "the last line of keys is not written" 's/ \|\| \(close && part != .0\)//' su_tiny
-mutant su_runs "a run begins one line before the whole of it is in memory" \
-       's/listed_i >= first_q \+ SlotW.\(RunLines\)/listed_i + 1 >= first_q + SlotW\x27(RunLines)/' su_tiny
+mutant su_spill "more than fits the pool returns to it" 's/(rest_i > SlotW.\()(pipegs_pkg::SuRefill)/\14 * \2/' \
+       su_marks_tiny
+mutant su_spill "the line of keys that was not full is not written again" \
+       's/start_i \|\| stay_o \|\| (record_ready_i\) keys)/start_i || \1/' su_marks_tiny
+mutant su_runs "a line is read before all of it is in memory" 's/: listed_i;/: listed_i + 1'"'"'b1;/' su_tiny
+mutant su_runs "the bucket of the mark leaves, too" 's/bucket < mark_i\.bucket/bucket <= mark_i.bucket/' su_marks_tiny
+mutant su_runs "what was sent leaves again" 's/bucket >= from_q/1'"'"'b1/' su_marks_tiny
+mutant su_runs "what returns meets what is still sent" 's/if \(idle_i\) (state_q <= Return)/\1/' su_marks_tiny
 mutant su_lines "the last line of a run is not written before it is full" 's/ \|\| left_q == SlotW.\(1\)//' su_tiny
 mutant su_levels "the area that is read does not change" 's/(area_q *<= )!area_q/\1area_q/' su_tiny
 mutant su_ways "a line is asked for without a place" "s/ && held_q\[i\] != HeldW'\(Lines\)//" su_tiny
@@ -234,14 +245,13 @@ mutant su_emit "the end of a set that spilled asks the memory for a record" \
 mutant su_port "a line behind its area is asked for" 's/\(line_q\) >= (pipegs_pkg::area_lines)/(line_q) > \1/' su
 mutant su_port "goes on behind a line that has no room" 's/(choice_q != None) && !full_o/\1/' su
 mutant su_port "asks for lines without room" 's/read_valid_i && room/read_valid_i/' su
-mutant su_port "a line is written while a record is being read" "s/(writes = )behind_q == '0/\11'b1/" su_marks_tiny
 mutant su_buckets "the bucket of the mark leaves too" "s/(LowW'\(i\)) < job_low/\1 <= job_low/" su_marks
 mutant su_buckets "a word of buckets that was given up comes back" "s/(with_bucket = )held \? word : '0/\1word/" su
 mutant su_gather "a full pool spills nothing" "s/(\.full_i)\(.*\),/\1(1'b0),/" su_tiny
 mutant su_sort "an end overtakes the keys before it" 's/(end_go *= chain_valid_i && is_end) && split_idle_o/\1/' su
 mutant su_overflow "a line of keys is shown as a record, too" 's/(line_valid_o = line_shown) && !line_fetch/\1/' su_tiny
 mutant su_external "a run is as long when it is merged as its groups were" \
-       "s/forms \? (SlotW'\(group_count_o\)) : merge_keys/\1/" su_tiny
+       "s/forms \? (SlotW'\(group_o\.count\)) : merge_keys/\1/" su_tiny
 
 # --- rtl/ru -----------------------------------------------------------------------------------------------------------
 group ru "RU"

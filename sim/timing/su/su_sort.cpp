@@ -44,7 +44,7 @@ void Su::emit(Cycle now, const Now& is) {
   if (is.mark_first) {
     entry.item.splat.beat = is.mark_end;
     marks_.pop(now);
-  } else if (external_.item()) {
+  } else if (is.outer) {
     entry.item = item();
     entry.outside = ask_ = true;
     ask_line_ = entry.item.number;
@@ -93,7 +93,7 @@ void Su::begin_split(Cycle now, uint64_t min, uint64_t max) {
 void Su::sort(Cycle now, const Now& is) {
   const bool end_goes = is.chain_end && is.split_idle && is.batch_ready, load = is.batch_valid && is.batch_ready;
   const bool start = !sorting_ && loaded_ && sent_ == live_;
-  if (is.item_goes && !external_.item()) ++sent_, batches_.pop(now), moved_ = true;
+  if (is.item_goes && !is.outer) ++sent_, batches_.pop(now), moved_ = true;
   if (load) {
     batches_.push(now, order_[next_++]);
     ++fill_;
