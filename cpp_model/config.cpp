@@ -89,6 +89,7 @@ void config_check(const Config& config) {
   }
   if (!config.layered && config.order != 0) throw ConfigError("configuration: layered = 0 needs order = 0");
   if (config.tight_cull && config.order == 1) throw ConfigError("configuration: tight_cull = 1 needs order 0 or 2");
+  if (config.occlusion && config.order != 2) throw ConfigError("configuration: occlusion = 1 needs order = 2");
   if (config.tight_boxes && config.order != 2) throw ConfigError("configuration: tight_boxes = 1 needs order = 2");
   if (const int bits = node_bits(config), most = config.memory_w() / 2; bits > most) {
     throw ConfigError("configuration: a node has " + std::to_string(bits) + " bits, expected at most " +

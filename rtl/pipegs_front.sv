@@ -80,6 +80,18 @@ module pipegs_front #(
 
   assign spill_o.write = '1;
 
+  pipegs_pkg::open_t open;
+  if (pipegs_pkg::Occlusion != 0) begin : gen_open
+    pipegs_open u_open (
+      .clk_i,
+      .rst_ni,
+      .progress_i,
+      .open_o(open)
+    );
+  end else begin : gen_no_open
+    assign open = '0;
+  end
+
   pipegs_clock_gate u_dopu_gate (
     .clk_i,
     .rst_ni,
@@ -103,6 +115,7 @@ module pipegs_front #(
     .done_i(progress_i.done),
     .done_x_i(progress_i.x),
     .done_y_i(progress_i.y),
+    .open_i(open),
     .chunk_valid_o(chunk_valid),
     .chunk_ready_i(chunk_ready),
     .chunk_room_i(chunk_room),
@@ -132,6 +145,7 @@ module pipegs_front #(
       .tables_i(frame_i.tables),
       .areas_i,
       .windows_i(frame_i.raster.windows),
+      .open_i(open),
       .unit_i(pipegs_pkg::UnitW'(k)),
       .restart_i,
       .chunk_valid_i(chunk_valid[k]),

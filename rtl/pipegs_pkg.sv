@@ -56,6 +56,9 @@ package pipegs_pkg;
   // 1: a node holds the box around its Gaussians' ellipsoids, too, which the DOPU tests where they are small beside
   // their distance; 0: only that of their means, grown by the largest scale (1 needs order 2)
   localparam int unsigned TightBoxes     = 1;
+  // 1: what lies beside a rectangle around the regions that are still open is neither fetched nor projected; 0: it is,
+  // until the whole walk is closed (1 needs order = 2)
+  localparam int unsigned Occlusion      = 0;
   localparam int unsigned Tests          = 2;  // regions side by side that pu_intersect tests in a cycle
   localparam int unsigned ExpIndexW      = 6;  // index of the exp2 table
   // 1: linear interpolation between the entries of the exp2 table; 0: the entry alone, no multiplier
@@ -125,6 +128,8 @@ package pipegs_pkg;
   localparam int unsigned MaskIndexW     = 6;  // index of a region in its part, row by row
   localparam int unsigned Regions        = 256;  // regions of a window
   localparam int unsigned RegionW        = 8;  // index of a region in its window: its part above its index in the part
+  // columns or rows of regions of a window, from one side, in which none is open
+  localparam int unsigned ClosedW        = 4;
   localparam bit HasWalks                = 1'b1;  // a window may be walked part by part
   // what a walk covers: 0 its window, else the upper bit and below it the one part; absent where all are of windows
   localparam int unsigned WalkW          = 3;
@@ -471,6 +476,26 @@ package pipegs_pkg;
     logic [WindowW-1:0] first_x;  // column of the first
   } windows_t;
   localparam int unsigned WindowsBits = 40;
+
+  typedef struct packed {
+    logic [ClosedW-1:0] bottom;
+    logic [ClosedW-1:0] top;
+    logic [ClosedW-1:0] right;
+    logic [ClosedW-1:0] left;
+  } closed_t;
+  localparam int unsigned ClosedBits = 16;
+
+  typedef struct packed {
+    closed_t part_3;
+    closed_t part_2;
+    closed_t part_1;
+    closed_t part_0;  // of a part alone, if it has parts
+    closed_t whole;  // of all of it
+    logic [WindowW-1:0] window_y;  // row of the window
+    logic [WindowW-1:0] window_x;  // column of the window
+    logic known;  // all RUs are in one window, this one
+  } open_t;
+  localparam int unsigned OpenBits = 101;
 
   typedef struct packed {
     windows_t windows;
@@ -1208,7 +1233,7 @@ package pipegs_pkg;
     48'h0088_060c1012,  // CONFIG_GAUSSIAN
     48'h0084_00030e52,  // CONFIG_POINT
     48'h0080_10048004,  // CONFIG_COUNTS
-    48'h000c_40dcc25f,  // CONFIG_HASH
+    48'h000c_f21e82ee,  // CONFIG_HASH
     48'h0008_983831c8,  // LAYOUT
     48'h0004_00020000,  // VERSION
     48'h0000_47504950  // ID

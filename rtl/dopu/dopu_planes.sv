@@ -5,7 +5,8 @@
 // Idea    A side's world-space normal is n = focal * side row - edge * forward row, edge = pixel - centre -+ 2. One
 //         multiplier makes the six products of a side one after another, then n and reach are floored to TestW bits
 //         with one unit.
-// Stream  window: column, row and walk in. planes: near, left, right, top, bottom out, near in the low bits.
+// Stream  window: column, row and walk in, and what of it is closed. planes: near, left, right, top, bottom out, near in
+//         the low bits.
 // Pace    One window per 4 * 13 cycles, hidden behind the walk of the window before.
 // Model   cpp_model/dopu/dopu_planes.hpp
 
@@ -20,6 +21,7 @@ module dopu_planes (
   input  logic                                window_valid_i,
   output logic                                window_ready_o,
   input  logic [pipegs_pkg::PlaceW-1:0]       window_i,
+  input  pipegs_pkg::closed_t                 closed_i,  // what of it is closed: the planes are those of the rest
 
   output logic                                planes_valid_o,
   input  logic                                planes_ready_i,
@@ -46,6 +48,7 @@ module dopu_planes (
   logic [1:0] side_q;  // left, right, top, bottom
   logic [3:0] step_q;
   logic [pipegs_pkg::PlaceW-1:0] window_q;
+  pipegs_pkg::closed_t           closed_q;
 
   assign window_ready_o = !busy_q && !done_q;
   assign planes_valid_o = done_q;
@@ -71,14 +74,15 @@ module dopu_planes (
   end
 
   always_ff @(posedge clk_i) begin
-    if (window_valid_i && window_ready_o) window_q <= window_i;
+    if (window_valid_i && window_ready_o) {closed_q, window_q} <= {closed_i, window_i};
   end
 
   // --- the edge of this side, s17.12 -------------------------------------------------------------------------------
   logic                                  vertical, far;  // top or bottom; right or bottom
   logic                                  half, behind;   // one part is walked: half a side; the second one along it
   logic [WindowW-1:0]                    window;         // column or row
-  logic [WindowPixelW-1:0]               first_pixel, end_pixel, size, pixel;
+  logic [WindowPixelW-1:0]               walk_pixel, first_pixel, end_pixel, size, pixel;
+  logic [pipegs_pkg::ClosedW-1:0]        closed_low, closed_high;
   logic signed [EdgeW-1:0]               center, margin, edge_d;
   logic [pipegs_pkg::ReachW-1:0]         reach;
 
@@ -86,14 +90,18 @@ module dopu_planes (
   assign far         = side_q[0];
   assign size        = vertical ? WindowPixelW'(raster_i.height) : WindowPixelW'(raster_i.width);
   assign window      = vertical ? window_q[WindowW +: WindowW] : window_q[0 +: WindowW];
-  assign first_pixel = WindowPixelW'({window, behind}) << HalfF;
+  assign closed_low  = vertical ? closed_q.top : closed_q.left;
+  assign closed_high = vertical ? closed_q.bottom : closed_q.right;
+  assign walk_pixel  = WindowPixelW'({window, behind}) << HalfF;
+  assign first_pixel = walk_pixel + (WindowPixelW'(closed_low) << 3);
   // With lists the rectangle of this window to the frame's last one.
   if (pipegs_pkg::HasLists) begin : gen_frame
     logic [pipegs_pkg::WindowW-1:0] last_window;
     assign last_window = vertical ? raster_i.windows.last_y : raster_i.windows.last_x;
     assign end_pixel   = (WindowPixelW'(last_window) + 1'b1) << $clog2(pipegs_pkg::Window);
   end else begin : gen_window
-    assign end_pixel = first_pixel + (half ? WindowPixelW'(pipegs_pkg::Window / 2) : WindowPixelW'(pipegs_pkg::Window));
+    assign end_pixel = walk_pixel + (half ? WindowPixelW'(pipegs_pkg::Window / 2) : WindowPixelW'(pipegs_pkg::Window))
+                       - (WindowPixelW'(closed_high) << 3);
   end
   if (pipegs_pkg::HasWalks) begin : gen_walk
     assign half   = window_q[pipegs_pkg::PlaceW-1];
@@ -188,7 +196,7 @@ module dopu_planes (
   assign planes_o = {planes_q, near_plane};
 
   logic unused_frame;  // what does not matter here
-  assign unused_frame = &{1'b0, half, lens_i, raster_i};
+  assign unused_frame = &{1'b0, half, closed_high, lens_i, raster_i};
 
 `ifndef SYNTHESIS
   pipegs_stream_check #(.DataW($bits(planes_o)), .Proven(1)) u_check_planes (

@@ -7,10 +7,14 @@
 //         one set, of all windows as one rectangle, and it is never done. Where judges_i is up the walk of a whole
 //         window is on trial (set_judges_o) until it is known how much there is; one with too much is given up, which
 //         is as done, and the walks of the window's parts follow.
+//         With Occlusion the planes of a set are made anew when more of its walk is closed: those of the rectangle
+//         around what is open (pipegs_open). What they let pass that the old ones did not changes no pixel either, so
+//         they may change while nodes are tested; not on trial, whose verdict is of the window. A set to be filled goes
+//         first, once it is free.
 // Stream  start_i for one cycle; set_valid_o: a set may be walked, until walked_i; release_i gives back the oldest set.
 //         judged_i: the set on trial is walked on, or given up.
 // Pace    One walk per 52 cycles.
-// Model   cpp_model/dopu/dopu_planes.hpp, dopu_walks.hpp
+// Model   cpp_model/dopu/dopu_planes.hpp, dopu_walks.hpp, cpp_model/open.hpp
 
 module dopu_windows (
   input  logic                                  clk_i,
@@ -24,12 +28,13 @@ module dopu_windows (
   input  logic [pipegs_pkg::Units*pipegs_pkg::Regions-1:0] done_i,    // from the RUs
   input  logic [pipegs_pkg::Units*pipegs_pkg::WindowW-1:0] done_x_i,
   input  logic [pipegs_pkg::Units*pipegs_pkg::WindowW-1:0] done_y_i,
+  input  pipegs_pkg::open_t                     open_i,
 
   output logic [1:0]                            set_valid_o,  // filled and not walked yet
   input  logic                                  walked_i,     // all cells of the next one are on their way
   output logic [1:0]                            set_last_o,   // the frame's last window
   output logic [1:0]                            set_done_o,   // nothing of it can be seen any more
-  output logic                                  done_news_o,  // that changes with this cycle's end
+  output logic                                  done_news_o,  // that changes with this cycle's end; or planes are made
   output logic [1:0]                            set_ends_o,   // the last walk of its window
   output logic [2*pipegs_pkg::PlaceW-1:0]       set_place_o,
   output logic [2*5*pipegs_pkg::PlaneBits-1:0]  planes_o,
@@ -46,6 +51,7 @@ module dopu_windows (
   localparam int unsigned PlaceW = pipegs_pkg::PlaceW;
   localparam int unsigned MaskW = pipegs_pkg::MaskW;
   localparam int unsigned PlanesW = 5 * pipegs_pkg::PlaneBits;
+  localparam int unsigned ClosedBits = pipegs_pkg::ClosedBits;
   localparam int unsigned Units = pipegs_pkg::Units;
   localparam int unsigned Regions = pipegs_pkg::Regions;
   localparam logic Whole = pipegs_pkg::HasLists;  // one walk of all windows: nothing is done before it ends
@@ -63,10 +69,13 @@ module dopu_windows (
   logic [1:0]         given_q;
   logic [PlaceW-1:0]  place_q [2];
   logic [PlanesW-1:0] planes_q [2];
+  // A set's planes are made anew: it is due, dopu_planes works on them, they come; of which set.
+  logic                  refit_due, refitting, refit, refit_pick, refit_set, fill_due;
+  logic [ClosedBits-1:0] refit_closed;  // what is closed of the walk that dopu_planes is asked for
 
-  assign window_valid = more_q && !asking_q && !judges_q;
-  assign planes_ready = !valid_q[fill_q];
-  assign fill         = planes_valid && planes_ready;
+  assign window_valid = fill_due || refit_due;
+  assign planes_ready = !valid_q[fill_q] || refitting;
+  assign fill         = planes_valid && planes_ready && !refitting;
   assign split        = judged_i && parts_i;
   assign next         = (judged_i && !parts_i) || (fill && !on_trial && ends);
   assign last         = Whole || (row_ends && y == raster_i.windows.last_y);
@@ -94,7 +103,8 @@ module dopu_windows (
     .raster_i,
     .window_valid_i(window_valid),
     .window_ready_o(window_ready),
-    .window_i(place),
+    .window_i(fill_due ? place : place_q[refit_pick]),
+    .closed_i(refit_closed),
     .planes_valid_o(planes_valid),
     .planes_ready_i(planes_ready),
     .planes_o(planes)
@@ -113,7 +123,7 @@ module dopu_windows (
       given_q  <= '0;
     end else begin
       if (start_i) more_q <= 1'b1;
-      if (window_valid && window_ready) asking_q <= 1'b1;
+      if (fill_due && window_ready) asking_q <= 1'b1;
       if (walked_i) begin
         fresh_q[walk_q] <= 1'b0;
         walk_q          <= !walk_q;
@@ -137,6 +147,7 @@ module dopu_windows (
   end
 
   always_ff @(posedge clk_i) begin
+    if (refit) planes_q[refit_set] <= planes;
     if (fill) begin
       planes_q[fill_q] <= planes;
       place_q[fill_q]  <= place;
@@ -152,6 +163,55 @@ module dopu_windows (
   assign set_given_o  = given_q & valid_q;
   assign set_place_o  = {place_q[1], place_q[0]};
   assign planes_o     = {planes_q[1], planes_q[0]};
+
+  // --- planes made anew ---------------------------------------------------------------------------------------------
+  if (pipegs_pkg::Occlusion != 0) begin : gen_refit
+    logic [ClosedBits-1:0] closed [2];      // of the walk of either set
+    logic [ClosedBits-1:0] closed_q [2];    // of its planes
+    logic [ClosedBits-1:0] refit_closed_q;  // of those that are made
+    logic                  set_q, busy_q;
+    logic [1:0]            stale;
+    for (genvar s = 0; s < 2; s += 1) begin : gen_set
+      pipegs_closed u_closed (
+        .open_i,
+        .place_i(place_q[s]),
+        .closed_o(closed[s])
+      );
+      assign stale[s] = valid_q[s] && !set_judges_o[s] && !given_q[s] && closed[s] != '0 && closed[s] != closed_q[s];
+    end
+    // A set filled holds on to dopu_planes until it is taken, so it is asked for only when it can be.
+    assign fill_due     = more_q && !asking_q && !judges_q && !valid_q[fill_q] && !refitting;
+    assign refit_due    = !fill_due && !asking_q && !refitting && stale != '0;
+    assign refit_pick   = stale[oldest_q] ? oldest_q : !oldest_q;
+    assign refit_closed = fill_due ? '0 : closed[refit_pick];
+    assign refit        = planes_valid && refitting;
+    always_ff @(posedge clk_i or negedge rst_ni) begin
+      if (!rst_ni) busy_q <= 1'b0;
+      else if (refit_due && window_ready) busy_q <= 1'b1;
+      else if (refit) busy_q <= 1'b0;
+    end
+    assign refitting = busy_q;
+    assign refit_set = set_q;
+    always_ff @(posedge clk_i) begin
+      if (refit_due && window_ready) begin
+        set_q          <= refit_pick;
+        refit_closed_q <= refit_closed;
+      end
+      // A set that was released meanwhile is not filled before: what it gets does no harm.
+      if (refit) closed_q[refit_set] <= refit_closed_q;
+      if (fill) closed_q[fill_q] <= '0;
+    end
+  end else begin : gen_no_refit
+    assign fill_due     = more_q && !asking_q && !judges_q;
+    assign refit_due    = 1'b0;
+    assign refitting    = 1'b0;
+    assign refit        = 1'b0;
+    assign refit_pick   = 1'b0;
+    assign refit_set    = 1'b0;
+    assign refit_closed = '0;
+    logic unused_open;
+    assign unused_open  = ^open_i;
+  end
 
   // --- the walks of a window: whole, or its parts with a pixel of the picture, row by row ----------------------------
   if (pipegs_pkg::HasWalks) begin : gen_walks
@@ -215,8 +275,8 @@ module dopu_windows (
     end
   end
   always_ff @(posedge clk_i) done_q <= done_d;
-  assign done_news_o = done_d != done_q;
-  assign set_done_o = (done_q | given_q) & valid_q;
+  assign done_news_o = done_d != done_q || refit_due || refitting;
+  assign set_done_o  = (done_q | given_q) & valid_q;
 
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni) assert (!judged_i || judges_q);
@@ -225,7 +285,7 @@ module dopu_windows (
     .rst_ni,
     .valid_i(window_valid),
     .ready_i(window_ready),
-    .beat_i(place)
+    .beat_i(fill_due ? place : place_q[refit_pick])
   );
 `endif
 

@@ -34,6 +34,7 @@ module pipegs_dopu (
   input  logic [pipegs_pkg::Units*pipegs_pkg::Regions-1:0] done_i,    // of unit u: Regions bits from u * Regions on
   input  logic [pipegs_pkg::Units*pipegs_pkg::WindowW-1:0] done_x_i,
   input  logic [pipegs_pkg::Units*pipegs_pkg::WindowW-1:0] done_y_i,
+  input  pipegs_pkg::open_t                                open_i,    // the same as a rectangle
 
   output logic [pipegs_pkg::Units-1:0]                     chunk_valid_o,
   input  logic [pipegs_pkg::Units-1:0]                     chunk_ready_i,
@@ -92,6 +93,7 @@ module pipegs_dopu (
     .done_i,
     .done_x_i,
     .done_y_i,
+    .open_i,
     .set_valid_o(set_valid),
     .set_last_o(set_last),
     .set_done_o(set_done),

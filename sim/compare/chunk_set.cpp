@@ -32,10 +32,10 @@ bool ChunkSet::take(const Chunk& like) {
   return first;
 }
 
-std::optional<uint64_t> ChunkSet::missing(const std::function<bool(uint64_t)>& needed) const {
+std::optional<uint64_t> ChunkSet::missing(const std::function<bool(const Chunk&)>& needed) const {
   std::optional<uint64_t> first;
   for (const auto& [name, one] : chunks_) {
-    if (!one.come && one.chunk.slot < first.value_or(~uint64_t{0}) && needed(one.chunk.walk)) first = one.chunk.slot;
+    if (!one.come && one.chunk.slot < first.value_or(~uint64_t{0}) && needed(one.chunk)) first = one.chunk.slot;
   }
   return first;
 }

@@ -20,8 +20,10 @@ class ChunkSet {
 
   const Chunk* find(const Chunk& like) const;  // the one of its walk that begins with the same Gaussian, or null
   bool take(const Chunk& like);                // it has come; false: again
-  // The first one that has not, of a walk for which it is needed.
-  std::optional<uint64_t> missing(const std::function<bool(uint64_t walk)>& needed) const;
+  // The first one that has not, of those that are needed.
+  std::optional<uint64_t> missing(const std::function<bool(const Chunk& chunk)>& needed) const;
+  // A chunk of the scene that none of the walk's planes would let pass (Occlusion: tighter ones do, behind the camera).
+  void add(const Chunk& chunk) { chunks_[name_of(chunk)].chunk = chunk; }
 
  private:
   struct One {

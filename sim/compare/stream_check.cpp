@@ -9,6 +9,7 @@
 #include <bit>
 #include <tuple>
 
+#include "cpp_model/dopu/dopu_origin.hpp"
 #include "cpp_model/ru/ru_walk.hpp"
 
 namespace pipegs {
@@ -131,6 +132,7 @@ StreamCheck::Window& StreamCheck::window(uint64_t ordinal) {
   }
   window.lines.resize(window.live.size());
   window.next.resize(window.live.size());
+  window.shown.resize(window.live.size());
   for (const GoldenLayer& layer : window.golden.layers) {
     for (const GoldenSplat& golden : layer.splats) {
       for (uint64_t rest = golden.splat.mask; rest != 0; rest &= rest - 1) {
@@ -184,23 +186,64 @@ void StreamCheck::expect_line(uint64_t ordinal, int lane, size_t region, size_t 
   skip_to(ordinal, region, quad, static_cast<size_t>(found - lines.begin()),
           fmt::format("before Gaussian {}", shown.splat.index));
   ++next;
+  size_t& last = now.shown[region];
+  last = std::max(last, next);
 }
 
 // A chunk that has not come, though the PUs had use for it.
 void StreamCheck::expect_chunks(uint64_t ordinal, const ChunkSet& chunks,
-                                const std::function<bool(uint64_t walk)>& needed) {
+                                const std::function<bool(const Chunk& chunk)>& needed) {
   if (const std::optional<uint64_t> slot = chunks.missing(needed))
     fail(ordinal, {.tap = Tap::kChunk, .gaussian = input_.packed->gaussians[*slot].index}, "its chunk", "it missing");
+}
+
+// With Occlusion: whether each region of a Gaussian was done when its line there was due, so that it may be missing from
+// the walk: done in the golden window too, and nothing behind that line has been blended.
+bool StreamCheck::closed_before(const Window& window, uint64_t index, uint64_t walk) const {
+  for (const auto& by_name : window.by_name) {
+    for (uint64_t part = 0; part < static_cast<uint64_t>(config_.parts()); ++part) {
+      const auto found = by_name.find(name_of(index, part));
+      if (found == by_name.end() || !walk_has(config_, walk, part)) continue;
+      if ((found->second->splat.mask & ~window.done.mask[part]) != 0) return false;
+      for (uint64_t rest = found->second->splat.mask; rest != 0; rest &= rest - 1) {
+        const auto region = static_cast<size_t>(region_number(config_, part, std::countr_zero(rest)));
+        const std::vector<Line>& lines = window.lines[region];
+        const auto line =
+            std::find_if(lines.begin(), lines.end(), [&](const Line& one) { return one.splat == found->second; });
+        if (static_cast<size_t>(line - lines.begin()) < window.shown[region]) return false;
+      }
+    }
+  }
+  return true;
+}
+
+// With Occlusion: a chunk of the scene that the planes of the whole walk do not let pass; it has no Gaussian to be seen.
+const Chunk* StreamCheck::beside(uint64_t ordinal, ChunkSet& chunks, const Chunk& found) const {
+  if (!config_.occlusion) return nullptr;
+  const std::vector<Node>& nodes = input_.packed->chunks;
+  const auto node = std::find_if(nodes.begin(), nodes.end(), [&](const Node& one) { return one.first == found.slot; });
+  if (node == nodes.end()) return nullptr;
+  const auto& windows = input_.frame.raster.windows;
+  Chunk chunk = dopu_origin(config_, input_.frame, *node, static_cast<int>(windows.first_x + ordinal % windows_x_),
+                            static_cast<int>(windows.first_y + ordinal / windows_x_));
+  chunk.walk = found.walk;
+  chunks.add(chunk);
+  return chunks.find(found);
 }
 
 // A window that every stream has left: no line is missing, and what was blended is the golden window. Where something
 // that a walk covers was open to the end all of its chunks have come.
 void StreamCheck::expect_all(uint64_t ordinal) {
   const Window& now = window(ordinal);
-  const auto open = [&](uint64_t walk) {
+  const auto open = [&](const Chunk& chunk) {
+    bool some = false;
     for (int r = 0; r < config_.regions(); ++r) {
-      if (walk_has(config_, walk, static_cast<uint64_t>(region_part(config_, r))) && !now.done.has(config_, r))
-        return true;
+      some = some || (walk_has(config_, chunk.walk, static_cast<uint64_t>(region_part(config_, r))) &&
+                      !now.done.has(config_, r));
+    }
+    if (!some || !config_.occlusion) return some;
+    for (uint64_t k = 0; k < chunk.count; ++k) {
+      if (!closed_before(now, input_.packed->gaussians[chunk.slot + k].index, chunk.walk)) return true;
     }
     return false;
   };
@@ -322,6 +365,7 @@ void StreamCheck::on_chunk(int unit, int kind, const uint32_t* words) {
   ChunkSet& chunks = config_.has_lists() ? *listed_ : *window(ordinal).chunks;
   Mismatch where{.tap = Tap::kChunk, .unit = unit};
   const Chunk* expected = chunks.find(chunk);
+  if (expected == nullptr) expected = beside(ordinal, chunks, chunk);
   if (expected == nullptr) return fail(ordinal, where, "none", to_text(config_, chunk));
   where.gaussian = input_.packed->gaussians[chunk.slot].index;
   if (!chunks.take(chunk)) return fail(ordinal, where, "its chunk once", "it again");
@@ -508,7 +552,7 @@ void StreamCheck::finish() {
   if (!sorted_over())
     fail(sorted_place_.window, {.tap = Tap::kSorted}, come(frame_windows(input_.frame)), come(sorted_place_.window));
   for (const auto& [ordinal, window] : open_) expect_all(ordinal);
-  if (listed_) expect_chunks(0, *listed_, [](uint64_t) { return true; });
+  if (listed_) expect_chunks(0, *listed_, [](const Chunk&) { return true; });
   open_.clear();
 }
 

@@ -3,7 +3,8 @@
 //
 // Idea    The golden window is computed when the RTL first shows something of it and dropped when it has left it.
 //           DOPU -> PU    every chunk equals the one of the bit-accurate model and comes once; all come unless the
-//                         whole window is done
+//                         whole walk is done, or with Occlusion every region of each of its Gaussians was done before
+//                         that one's turn
 //           PU -> SU      (with lists: list -> SU) every splat equals the golden one; regions may be missing only
 //                         where the window is done there
 //           merge -> RU   the order equals the golden order, layer by layer
@@ -102,6 +103,7 @@ class StreamCheck final : public RtlTaps {
     RegionSet done;                                                         // regions done at the end
     std::vector<RegionState> live;                                          // blended line by line as the RTL does
     std::vector<std::vector<Line>> lines;                                   // of each region, in their order
+    std::vector<size_t> shown;                     // of each region: one more than the last line that an RU has shown
     std::vector<std::array<size_t, kQuads>> next;  // of each region and quad (of a whole region the first): next line
   };
   // Where a stream is in the frame.
@@ -126,7 +128,9 @@ class StreamCheck final : public RtlTaps {
   bool changes(const Window& window, int region, int quad, const Line& line) const;
   void skip_to(uint64_t ordinal, size_t region, size_t quad, size_t end, const std::string& seen);
   void expect_line(uint64_t ordinal, int lane, size_t region, size_t quad, const GoldenSplat& shown);
-  void expect_chunks(uint64_t ordinal, const ChunkSet& chunks, const std::function<bool(uint64_t walk)>& needed);
+  void expect_chunks(uint64_t ordinal, const ChunkSet& chunks, const std::function<bool(const Chunk& chunk)>& needed);
+  bool closed_before(const Window& window, uint64_t index, uint64_t walk) const;
+  const Chunk* beside(uint64_t ordinal, ChunkSet& chunks, const Chunk& found) const;
   void expect_all(uint64_t ordinal);
   // Regions of a splat that the stream before the RUs may leave out. Lists are made before anything is done: they are
   // complete.

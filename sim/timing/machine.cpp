@@ -50,6 +50,7 @@ void Machine::step(int number, Cycle now) {
     case kPublish:
       for (Ru& one : ru) one.publish(*this, now);
       layer_free.publish(*this, now);
+      if (config.occlusion) open.publish(*this, now);
       break;
     case kLanes: ru[k].lanes(*this, now); break;
     case kSource: ru[k].source(*this, now); break;

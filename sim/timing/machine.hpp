@@ -15,6 +15,7 @@
 #include "sim/timing/event.hpp"
 #include "sim/timing/list/lists.hpp"
 #include "sim/timing/memory.hpp"
+#include "sim/timing/open.hpp"
 #include "sim/timing/pu/pu.hpp"
 #include "sim/timing/ru/ru.hpp"
 #include "sim/timing/ru/ru_order.hpp"
@@ -79,6 +80,7 @@ struct Machine {
 
   // Set by the RUs, seen by others: windows and layers that they finished.
   LayerFree layer_free;
+  OpenRegister open;
   std::vector<Cycle> window_ends;  // when the end of each window left the merge
   uint64_t overflow_lines = 0;
   uint64_t peak_lines = 0, peak_records = 0;  // in one alpha store, in one SU's store

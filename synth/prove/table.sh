@@ -305,6 +305,16 @@ mutant "a frame is taken before the one in the front has gone to the back" \
 mutant "splats of the next frame are let in" "s/(hold_o *= )enter_q == '0/\11'b0/"
 mutant "the RUs are heard while they finish the frame before" 's/(listen_o *= )!ahead_q \&\& /\1/'
 
+# Of a window with parts that may be walked alone, and of smaller ones.
+proof  open "pipegs_open+ ru_own" "@late=1,order=2,window=32,occlusion=1;
+       @late=1,order=2,window=128,quads=1,occlusion=1; @late=1,order=2,window=32,units=2,occlusion=1"
+mutant "one region short on the left" "s/from_low\(x\)\}/ClosedW'(from_low(x) + (x != 0))}/"
+mutant "one region short on the right" "s/from_high\(x, side\),/ClosedW'(from_high(x, side) + (x != 0)),/"
+mutant "one region short above" "s/from_low\(y\),/ClosedW'(from_low(y) + (y != 0)),/"
+mutant "one region short below" "s/\{from_high\(y, side\),/{ClosedW'(from_high(y, side) + (y != 0)),/"
+mutant "an RU closes regions that are not its own" 's/ \& \{Parts\{own\}\}//'
+mutant "RUs in two windows are heard together" "s/here == '1/1'b1/"
+mutant "what the RUs closed of the window before" 's/(window_x = progress_i.x\[)0\]/\1Units-1]/; s/here == .1/1/'
 proof  layer_free "pipegs_layer_free+" "@default; @units=2; @units=1"
 mutant "frees when one RU has finished" "s/some == '1/some != 0/"
 mutant "a layer that is finished while one is freed is forgotten" \
@@ -421,15 +431,23 @@ mutant "one window too many" "s/left_q   <= windows - LeftW'\(1\)/left_q <= wind
 # Two sets of planes take turns, on the machine that walks windows and the one that walks the whole frame.
 proof  dopu_planes "dopu_planes+ pipegs_bit_length" "@default"
 mutant "a window is taken while one is inside" 's/window_ready_o = !busy_q/window_ready_o = 1/'
-proof  dopu_windows "dopu_windows+ free_planes pipegs_window_walk" \
+proof  dopu_windows "dopu_windows+ free_planes pipegs_window_walk pipegs_closed" \
        "@late=1,order=2,window=128,quads=1 %Regions=8 %RegionW=3 %MaskW=2 %PlaneBits=1 %WindowW=3 %PlaceW=9;
-  @order=1 %Regions=8 %RegionW=3; @default %Regions=8 %RegionW=3"
+  @order=1 %Regions=8 %RegionW=3; @default %Regions=8 %RegionW=3;
+  @late=1,order=2,window=128,quads=1,occlusion=1 %Regions=8 %RegionW=3 %MaskW=2 %PlaneBits=1 %WindowW=3 %PlaceW=9
+  %ClosedW=1 %ClosedBits=4 %OpenBits=27"
 mutant "a set is overwritten before it is released" 's/planes_ready = !valid_q\[fill_q\]/planes_ready = 1/'
 mutant "a release clears the set filled next instead of the oldest" 's/valid_q\[oldest_q\] <= /valid_q[fill_q] <= /'
 mutant "a set is called done for the window that it held before" 's/(set_done_o = \(done_q \| given_q\)) \& valid_q/\1/'
 mutant "a part of a window is left out" "s/2'd2 : part_q/2'd3 : part_q/"
 mutant "a window stays in parts" 's/\(parts_q && !next\)/parts_q/'
 mutant "a set is filled while another one is on trial" 's/ && !judges_q;/;/'
+mutant "the open mask of another part" 's/place_q\[refit_pick\]\)/place_q[!refit_pick])/' \
+       "@late=1,order=2,window=128,quads=1,occlusion=1 %Regions=8 %RegionW=3 %MaskW=2 %PlaneBits=1 %WindowW=3 %PlaceW=9
+  %ClosedW=1 %ClosedBits=4 %OpenBits=27"
+mutant "planes made anew go to the other set" 's/assign refit_set = set_q/assign refit_set = !set_q/' \
+       "@late=1,order=2,window=128,quads=1,occlusion=1 %Regions=8 %RegionW=3 %MaskW=2 %PlaneBits=1 %WindowW=3 %PlaceW=9
+  %ClosedW=1 %ClosedBits=4 %OpenBits=27"
 mutant "a row has one window less" "s/(last_x_i\(raster_i.windows.last_x)\)/\1 - 1'b1)/"
 
 # Places for results are reserved: three levels, a test and readers of which only the promises are known. A node has

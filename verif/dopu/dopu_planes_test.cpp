@@ -7,6 +7,7 @@
 #include "verif/support/bench.hpp"
 #include "verif/support/config.hpp"
 #include "verif/support/frame_ports.hpp"
+#include "verif/support/random_open.hpp"
 
 namespace pipegs {
 namespace {
@@ -63,6 +64,13 @@ TEST(DopuPlanes, EqualsItsModelAtEveryPace) {
   Bench<Vdopu_planes> bench;
   auto& dut = bench.dut;
   WordSource<decltype(dut.window_i)> in(bench, dut.window_valid_i, dut.window_ready_o, dut.window_i);
+  std::deque<Closed> closed;  // of the windows that are not taken yet
+  const Beside sides(
+      bench,
+      [&] {
+        if (dut.window_valid_i && dut.window_ready_o) closed.pop_front();
+      },
+      [&] { write_record(config, dut.closed_i, closed.empty() ? Closed{} : closed.front()); });
   WordSink<decltype(dut.planes_o)> out(bench, dut.planes_valid_o, dut.planes_ready_i, dut.planes_o);
   bench.reset();
   for (int round = 0; round < 60; ++round) {
@@ -77,7 +85,14 @@ TEST(DopuPlanes, EqualsItsModelAtEveryPace) {
                      y = static_cast<uint32_t>(bench.rng() % (frame.raster.windows.last_y + 1));
       const uint64_t walk = random_walk(config, frame, x, y, bench.rng);
       in.push({static_cast<uint32_t>(walk << 2 * config.window_w() | y << config.window_w() | x)});
-      expected.push_back(dopu_planes(config, frame, static_cast<int>(x), static_cast<int>(y), walk));
+      closed.push_back(config.has_lists() || i % 3 == 0 ? Closed{} : random_closed(config, walk, bench.rng));
+      // Of a rectangle beyond the picture nothing is asked for.
+      const uint64_t left = x * static_cast<uint64_t>(config.window), top = y * static_cast<uint64_t>(config.window);
+      if (left + static_cast<uint64_t>(walk_square(config, walk).x) + 8 * closed.back().left >= frame.raster.width)
+        closed.back().left = 0;
+      if (top + static_cast<uint64_t>(walk_square(config, walk).y) + 8 * closed.back().top >= frame.raster.height)
+        closed.back().top = 0;
+      expected.push_back(dopu_planes(config, frame, static_cast<int>(x), static_cast<int>(y), walk, closed.back()));
     }
     ASSERT_TRUE(bench.run_until([&] { return out.beats.size() == first + expected.size(); }));
     const int width = record_width<Plane>(config);

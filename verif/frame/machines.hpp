@@ -23,7 +23,7 @@ struct Machine {
 // The machine of Table 2, then half of it, with the second cull, and a quarter, with stores so small that every one of
 // them overflows; then the other design points of the ladder, and `exact` with a pool so small that it spills, and with
 // the numbers of sim/fine.cfg and lanes that blend living quads; then `late` with coarse numbers and without some
-// parts. Buses of all widths are among them, and a machine without one; clocks that never stop, too.
+// parts; and `fast` that leaves out what is hidden. Buses of all widths are among them, and a machine without one; clocks that never stop, too.
 inline const std::vector<Machine> kMachines = {
     {"dop"},
     {"dop", {"units=2", "fronts=1", "pixels_per_row=1", "grid=8", "tight_cull=1", "bus_w=256", "clock_gates=0"}},
@@ -39,7 +39,8 @@ inline const std::vector<Machine> kMachines = {
     {"fast"},
     {"late",
      {"antialias=1", "alpha_cut=128", "tile_test=0", "exp_linear=0", "t_cut=1000", "guard_band=0", "early_stop=0",
-      "bus_w=0", "taps=0"}}};
+      "bus_w=0", "taps=0"}},
+    {"fast", {"occlusion=1"}}};
 
 // Their numbers.
 enum Numbered : size_t {
@@ -55,7 +56,8 @@ enum Numbered : size_t {
   kTinyExact,
   kFine,
   kFast,
-  kOdd
+  kOdd,
+  kOcclusion
 };
 
 inline SimulateOptions machine(size_t number) {

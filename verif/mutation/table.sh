@@ -40,6 +40,14 @@ mutant dopu_load "what a window held counts for the next one" \
 mutant dopu_planes "a part reaches as far as its window" 's/half \? W/1'"'"'b0 ? W/' dopu_planes_walks
 mutant pipegs_dopu "each part ends its window" \
        's/(part_end    = walk_end) && !set_ends/\1 \&\& 1'"'"'b0 \&\& set_ends/' dopu_nearest_fast
+mutant dopu_windows "planes made anew go to the other set" 's/assign refit_set = set_q/assign refit_set = !set_q/' \
+       dopu_nearest_occlusion
+mutant dopu_windows "planes of a set that is filled are those made anew for the one before" \
+       's/planes_ready && !refitting/planes_ready/' dopu_nearest_occlusion
+mutant dopu_planes "what is closed on the right moves the edge outwards" \
+       "s/- (\(WindowPixelW'\(closed_high\))/+ \1/" dopu_planes_walks
+mutant dopu_planes "one region short above" \
+       "s/(vertical \?) closed_q.top :/\1 closed_q.top + 1'b1 :/" dopu_planes_walks
 mutant dopu_descend "no place is reserved for a result of the test" \
        's/ && reserved_q\[l\] != ReservedW.\(Results\)//' dopu
 mutant dopu_descend "a chunk that is shown is taken back when its window is done" 's/ && !shown_q;/;/' dopu
@@ -86,6 +94,23 @@ mutant pu_cull "rounding of the view coordinates: + half becomes - half" \
        's/\+ (\$signed\(\(SumW \+ 1\).\(1\)\)\) >>> 1)/- \1/'
 mutant pu_cull "a part reaches as far as its window" 's/walk6\[2\] \? SideW/1'"'"'b0 ? SideW/' pu_cull_tight
 mutant pu_cull "the right part begins where the left one does" 's/, walk4\[0\], /, 1'"'"'b0, /' pu_cull_tight
+mutant pu_cull "one region short on the left" \
+       "s/aside\(closed6_q\[0 \+: ClosedW\]/aside(closed6_q[0 +: ClosedW] + ClosedW'(1)/" pu_cull_occlusion
+mutant pu_cull "one region short on the right" \
+       "s/aside\(closed6_q\[ClosedW \+: ClosedW\]/aside(closed6_q[ClosedW +: ClosedW] + ClosedW'(1)/" pu_cull_occlusion
+mutant pu_cull "one region short above" \
+       "s/aside\(closed6_q\[2\*ClosedW \+: ClosedW\]/aside(closed6_q[2*ClosedW +: ClosedW] + ClosedW'(1)/" \
+       pu_cull_occlusion
+mutant pu_cull "one region short below" \
+       "s/aside\(closed6_q\[3\*ClosedW \+: ClosedW\]/aside(closed6_q[3*ClosedW +: ClosedW] + ClosedW'(1)/" \
+       pu_cull_occlusion
+mutant pipegs_closed "what is closed of another window" \
+       's/ && \{open_i.window_y, open_i.window_x\} == place_i\[2\*WindowW-1:0\]//' pu_cull_occlusion
+mutant pipegs_closed "the open mask of another part" \
+       "s/(3'd5: walk = open_i.part_)1/\10/" pu_cull_occlusion
+mutant pipegs_open "one region short on the left" "s/, from_low\(x\)\}/, ClosedW'(from_low(x) + (x != 0))}/" open
+mutant pipegs_open "RUs in two windows are heard together" "s/here == '1/1'b1/" open
+mutant pipegs_open "an RU closes regions that are not its own" 's/ & \{Parts\{own\}\}//' open
 mutant pu_cull "the gap on the low side without what the cut bits of x may hide" \
        's/ - fx - near;/ - fx;/' pu_cull_tight
 mutant pu_reach "the bound of the rounding errors left out" "s/ \+ \(NW-1\)'\(Error\);/;/"

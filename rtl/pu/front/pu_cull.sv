@@ -7,6 +7,8 @@
 //         (see the model). Stages, behind a register of what comes:
 //           1 nine products   2 sums       3 shift to view units   4 view; edges   5 near plane; common exponent
 //           6 cut             7 six products                       8 four signs -> output
+//         With Occlusion the four sides are those of the rectangle around the open regions (pipegs_open), as known in
+//         stage 4: regions beside it times z are taken off in stage 8.
 // Stream  fetched in, visible out: only those that survive, and every end beat, all its other fields zero. Beside it
 //         what pu_reach needs (TightCull), else zero.
 // Pace    One per cycle, latency 9; the pipeline stands still while the output is not taken. A stage's registers are
@@ -20,6 +22,7 @@ module pu_cull (
   input  pipegs_pkg::rotation_t rotation_i,
   input  pipegs_pkg::lens_t     lens_i,
   input  pipegs_pkg::windows_t  windows_i,
+  input  pipegs_pkg::open_t     open_i,
 
   input  logic                  fetched_valid_i,
   output logic                  fetched_ready_o,
@@ -280,7 +283,7 @@ module pu_cull (
   logic signed [SideW-1:0] fx7_q, fy7_q, ax7_q, ay7_q, rx7_q, ry7_q;
   logic [SmallW-1:0]       reach_x, reach_y;
   // What the cutting of x and z may have taken away, on either side; stage 7 adds it up for stage 8.
-  logic signed [AsideW-1:0] near_x7_q, near_y7_q, far_x7_q, far_y7_q;
+  logic signed [AsideW-1:0] near_x6, near_y6, near_x7_q, near_y7_q, far_x7_q, far_y7_q;
   logic signed [EdgeW-1:0]  last_x6, last_y6;  // the far edges
   function automatic logic signed [AsideW-1:0] to_left(input logic signed [EdgeW-1:0] at);
     to_left = at < 0 ? AsideW'(at) <<< ToEdge : '0;
@@ -288,6 +291,8 @@ module pu_cull (
   function automatic logic signed [AsideW-1:0] to_right(input logic signed [EdgeW-1:0] at);
     to_right = at > 0 ? AsideW'(at) <<< ToEdge : '0;
   endfunction
+  assign near_x6 = $signed(AsideW'(lens_i.focal_x)) - to_left(edge_x6_q);
+  assign near_y6 = $signed(AsideW'(lens_i.focal_y)) - to_left(edge_y6_q);
   assign reach_x = SmallW'(lens_i.reach_x[ReachW-1:Coarse]) + SmallW'(lens_i.reach_x[Coarse-1:0] != '0);
   assign reach_y = SmallW'(lens_i.reach_y[ReachW-1:Coarse]) + SmallW'(lens_i.reach_y[Coarse-1:0] != '0);
   always_ff @(posedge clk_i) begin
@@ -301,8 +306,8 @@ module pu_cull (
     end
     if (load[7]) begin
       {x7_q, y7_q, z7_q, huge7_q} <= {x6_q, y6_q, z6_q, huge6_q};
-      near_x7_q <= $signed(AsideW'(lens_i.focal_x)) - to_left(edge_x6_q);
-      near_y7_q <= $signed(AsideW'(lens_i.focal_y)) - to_left(edge_y6_q);
+      near_x7_q <= near_x6;
+      near_y7_q <= near_y6;
       far_x7_q  <= to_right(last_x6);
       far_y7_q  <= to_right(last_y6);
       fx7_q <= $signed(SideW'(lens_i.focal_x)) * SideW'(cx6_q);
@@ -357,8 +362,47 @@ module pu_cull (
     assign bx7     = ax7_q + span7_q;
     assign by7     = ay7_q + span7_q;
   end
-  assign touch_x = touches(fx7_q, ax7_q, bx7, rx7_q <<< Coarse, SideW'(near_x7_q), SideW'(far_x7_q));
-  assign touch_y = touches(fy7_q, ay7_q, by7, ry7_q <<< Coarse, SideW'(near_y7_q), SideW'(far_y7_q));
+  // The same of the rectangle around the open regions: az and bz move inwards, by whole regions times z. That of az is
+  // in `near`, which is added later.
+  logic signed [SideW-1:0] open_near_x7, open_near_y7, open_bx7, open_by7;
+  if (pipegs_pkg::Occlusion != 0) begin : gen_open
+    localparam int unsigned RegionF = 3 + EdgeF;
+    localparam int unsigned ClosedW = pipegs_pkg::ClosedW;
+    logic [4*ClosedW-1:0]    closed4, closed5_q, closed6_q;  // left, right, top, bottom
+    logic signed [SideW-1:0] open_near_x7_q, open_near_y7_q, closed_x7_q, closed_y7_q;
+    pipegs_closed u_closed (
+      .open_i,
+      .place_i(ride4.place),
+      .closed_o(closed4)
+    );
+    function automatic logic signed [SideW-1:0] aside(input logic [ClosedW-1:0]   regions,
+                                                      input logic signed [MagW:0] z);
+      aside = ($signed(SideW'(regions)) * SideW'(z)) <<< RegionF;
+    endfunction
+    always_ff @(posedge clk_i) begin
+      if (load[5]) closed5_q <= closed4;
+      if (load[6]) closed6_q <= closed5_q;
+      if (load[7]) begin
+        open_near_x7_q <= SideW'(near_x6) - (aside(closed6_q[0 +: ClosedW], cz6_q) <<< ToEdge);
+        open_near_y7_q <= SideW'(near_y6) - (aside(closed6_q[2*ClosedW +: ClosedW], cz6_q) <<< ToEdge);
+        closed_x7_q    <= aside(closed6_q[ClosedW +: ClosedW], cz6_q);
+        closed_y7_q    <= aside(closed6_q[3*ClosedW +: ClosedW], cz6_q);
+      end
+    end
+    assign open_near_x7 = open_near_x7_q;
+    assign open_near_y7 = open_near_y7_q;
+    assign open_bx7     = bx7 - closed_x7_q;
+    assign open_by7     = by7 - closed_y7_q;
+  end else begin : gen_walk_alone
+    assign open_near_x7 = SideW'(near_x7_q);
+    assign open_near_y7 = SideW'(near_y7_q);
+    assign open_bx7     = bx7;
+    assign open_by7     = by7;
+    logic unused_open;
+    assign unused_open  = ^open_i;
+  end
+  assign touch_x = touches(fx7_q, ax7_q, open_bx7, rx7_q <<< Coarse, open_near_x7, SideW'(far_x7_q));
+  assign touch_y = touches(fy7_q, ay7_q, open_by7, ry7_q <<< Coarse, open_near_y7, SideW'(far_y7_q));
   assign keep    = ride7.kind != pipegs_pkg::KindData || (front7 && (huge7_q || (touch_x && touch_y)));
 
   pipegs_pkg::visible_t out_q;
@@ -409,8 +453,8 @@ module pu_cull (
   end
 
   // Of the normalised sizes only the shift is used.
-  wire unused_bits = &{1'b0, lens_i, windows_i, normal, ride1, ride2, ride3, ride4, ride6, walk4, walk6, fetched_bits,
-                       s4_q[ViewW-1], size3[HighW-1:ViewW]};
+  wire unused_bits = &{1'b0, lens_i, windows_i, normal, near_x7_q, near_y7_q, ride1, ride2, ride3, ride4, ride6, walk4,
+                       walk6, fetched_bits, s4_q[ViewW-1], size3[HighW-1:ViewW]};
 
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni)

@@ -119,7 +119,8 @@ void Dopu::emit(Machine& m, DopuCycle& cycle) {
   emit_chunk_ = {};
   if (shifted_.data()) {
     const TimingNode& node = m.trace.chunks[shifted_.node];
-    emit_chunk_ = {0, node.first, node.count, shifted_.chunk->first, shifted_.chunk->survivors, 0};
+    emit_chunk_ = {0, node.first,          node.count, shifted_.chunk->first, shifted_.chunk->survivors,
+                   0, shifted_.chunk->walk};
     emit_last_ = round_robin(ready, emit_last_);
     emit_valid_ = uint32_t{1} << emit_last_;
     had_chunk_ = true;
@@ -271,6 +272,24 @@ bool Dopu::all_done(const Machine& m, size_t number) const {
   return true;
 }
 
+// What is closed of the set's walk, none if that is no news for its planes.
+Closed Dopu::closed(const Machine& m, size_t set, Cycle now) const {
+  if (!sets_[set].valid || sets_[set].judges || sets_[set].given_up) return {};
+  const Closed closed = m.open.closed(m, sets_[set].walk, now);
+  return closed == sets_[set].closed ? Closed{} : closed;
+}
+
+// Planes are made anew; tells whether they are asked for.
+bool Dopu::refit(const Machine& m, Cycle now) {
+  for (const size_t set : {size_t{oldest_}, size_t{oldest_} ^ 1}) {
+    refit_closed_ = closed(m, set, now);
+    refit_set_ = set;
+    refit_ = !(refit_closed_ == Closed{});
+    if (refit_) return true;
+  }
+  return false;
+}
+
 void Dopu::windows(const Machine& m, DopuCycle& cycle) {
   const Cycle now = cycle.now;
   // done of the next cycle; the sets as they were when this one began.
@@ -280,22 +299,36 @@ void Dopu::windows(const Machine& m, DopuCycle& cycle) {
     done_[s] = done;
   }
   if (planes_ == kPlanesBusy && now >= planes_at_) planes_ = kPlanesReady;
-  if (planes_ == kPlanesReady && !sets_[fill_].valid) {
+  const bool occlusion = m.config.occlusion != 0;
+  if (refit_) woken_ = cycle.changed = true;
+  if (planes_ == kPlanesReady && refit_) {
+    DopuSet& set = sets_[refit_set_];
+    set.closed_before = set.closed;
+    set.closed = refit_closed_;
+    set.closed_from = now + 1;
+    refit_ = false;
+    planes_ = kPlanesIdle;
+    planes_at_ = now + 1;
+  } else if (planes_ == kPlanesReady && !sets_[fill_].valid) {
     DopuSet& set = sets_[fill_];
     const TimingWalk& walk = m.trace.walks[next_walk_];
     set.valid = set.fresh = true;
     set.given_up = false;
     set.walk = next_walk_;
     set.chunk = walk.first_chunk;
+    set.closed = set.closed_before = {};
     set.judges = judges_ && walk.walk == kWholeWalk;
     if (!set.judges) set.last = ++next_walk_ == walks_;
     fill_ ^= 1;
     planes_ = kPlanesIdle;
     planes_at_ = now + 1;
     cycle.changed = true;
-  } else if (planes_ == kPlanesIdle && now >= planes_at_ && next_walk_ < walks_ && !sets_[fill_ ^ 1].judges) {
+  } else if (planes_ == kPlanesIdle && now >= planes_at_ &&
+             ((next_walk_ < walks_ && !sets_[fill_ ^ 1].judges && !(occlusion && sets_[fill_].valid)) ||
+              (occlusion && refit(m, now)))) {
     planes_ = kPlanesBusy;
     planes_at_ = now + kPlanesCycles;
+    if (refit_) woken_ = cycle.changed = true;
   }
   if (window_walked_) {
     sets_[walk_set_].fresh = false;

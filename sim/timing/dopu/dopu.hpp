@@ -24,6 +24,7 @@ struct ChunkBeat {
   uint32_t first = 0;  // its first survivor
   uint64_t survivors = 0;
   uint32_t mark = 0;  // watermark of a layer's end
+  uint32_t walk = 0;  // of TimingTrace::walks
 };
 
 class Dopu {
@@ -48,6 +49,8 @@ class Dopu {
   void cells(const Machine& m, DopuCycle& cycle);
   void windows(const Machine& m, DopuCycle& cycle);
   bool all_done(const Machine& m, size_t walk) const;
+  Closed closed(const Machine& m, size_t set, Cycle now) const;
+  bool refit(const Machine& m, Cycle now);
   void ask(Machine& m);
   uint64_t line(int level) const { return nearest_ ? nearest_->line(level) : descend_->line(level); }
   int lines(int level) const { return nearest_ ? nearest_->lines(level) : descend_->lines(level); }
@@ -107,6 +110,9 @@ class Dopu {
   size_t next_walk_ = 0;
   enum Planes { kPlanesIdle, kPlanesBusy, kPlanesReady } planes_ = kPlanesIdle;
   Cycle planes_at_ = 1;
+  bool refit_ = false;  // they are those of a set that has some (Occlusion)
+  size_t refit_set_ = 0;
+  Closed refit_closed_;
 };
 
 }  // namespace pipegs::timing

@@ -26,7 +26,20 @@ struct DopuSet {
   bool judges = false, given_up = false;  // on trial; this is how it ended
   size_t walk = 0;                        // of TimingTrace::walks
   size_t chunk = 0;                       // of its chunks that pass, the next one to enter the test (orders 0 and 1)
+  Closed closed, closed_before;           // Occlusion: of its walk, in its planes; and before `closed_from`
+  Cycle closed_from = 0;
 };
+
+// Whether a node passes that entered the test so long ago that its planes were those of these cycles: RTL
+// rtl/dopu/dopu_test.sv.
+inline bool passes(TimingSides sides, const DopuSet& set, Cycle entered) {
+  const auto side = [&](int number, Cycle when, uint64_t Closed::*count) {
+    const Closed& closed = when < set.closed_from ? set.closed_before : set.closed;
+    return (sides >> (16 * number + static_cast<int>(closed.*count)) & 1) != 0;
+  };
+  return side(0, entered + 8, &Closed::left) && side(1, entered + 9, &Closed::right) &&
+         side(2, entered + 9, &Closed::top) && side(3, entered + 10, &Closed::bottom);
+}
 
 using DopuSets = std::array<DopuSet, 2>;
 

@@ -155,17 +155,17 @@ Nearest::Result Nearest::child(int level, uint32_t node, bool last, const DopuSe
     const auto at = std::lower_bound(walk.cells_ranked.begin(), walk.cells_ranked.end(), node,
                                      [](const TimingParent& a, uint32_t b) { return a.node < b; });
     if (at == walk.cells_ranked.end() || at->node != node) return result;
-    return {last, true, {at->bucket, static_cast<uint32_t>(at - walk.cells_ranked.begin())}};
+    return {last, true, {at->bucket, static_cast<uint32_t>(at - walk.cells_ranked.begin())}, at->sides};
   }
   uint32_t& cursor = open_[static_cast<size_t>(level - 1)].cursor;
   if (level == 1) {
     while (cursor < walk.groups_ranked.size() && walk.groups_ranked[cursor].node < node) ++cursor;
     if (cursor == walk.groups_ranked.size() || walk.groups_ranked[cursor].node != node) return result;
-    return {last, true, {walk.groups_ranked[cursor].bucket, cursor}};
+    return {last, true, {walk.groups_ranked[cursor].bucket, cursor}, walk.groups_ranked[cursor].sides};
   }
   while (cursor < walk.first_chunk + walk.chunks && trace_.chunks_sent[cursor].chunk < node) ++cursor;
   if (cursor == walk.first_chunk + walk.chunks || trace_.chunks_sent[cursor].chunk != node) return result;
-  return {last, true, {trace_.chunks_sent[cursor].bucket, cursor}};
+  return {last, true, {trace_.chunks_sent[cursor].bucket, cursor}, trace_.chunks_sent[cursor].sides};
 }
 
 void Nearest::enter(DopuCycle& cycle, const DopuSets& sets, const Said& is) {
@@ -186,7 +186,8 @@ void Nearest::enter(DopuCycle& cycle, const DopuSets& sets, const Said& is) {
     cycle.at(now + 1);
     if (!rank_ready) return false;
     cycle.changed = true;
-    in_test_.push(now, {now + kTestCycles, static_cast<uint8_t>(level), child(level, node, last, sets)});
+    in_test_.push(now, {now + kTestCycles, static_cast<uint8_t>(level), static_cast<uint8_t>(set_[l]),
+                        child(level, node, last, sets)});
     return true;
   };
   std::array<bool, kLevels> left{};
@@ -214,8 +215,9 @@ void Nearest::enter(DopuCycle& cycle, const DopuSets& sets, const Said& is) {
   }
   // Results.
   if (!in_test_.empty() && in_test_.front().due <= now) {
-    const InTest& in = in_test_.front();
-    const DopuSet& set = sets[static_cast<size_t>(set_[1])];
+    InTest& in = in_test_.front();
+    const DopuSet& set = sets[in.set];
+    in.result.pass = in.result.pass && passes(in.result.sides, set, in.due - kTestCycles);
     if (in.level == 1 && in.result.pass && set.judges) {
       const uint32_t group = trace_.walks[set.walk].groups_ranked[in.result.node.number].node;
       gaussians_ += uint64_t{trace_.groups[group].count} * static_cast<uint64_t>(trace_.config.chunk);

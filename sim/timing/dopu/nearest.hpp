@@ -39,10 +39,11 @@ class Nearest {
   struct Result {
     bool last = false, pass = false;
     NearestNode node;
+    TimingSides sides = 0;
   };
   struct InTest {
     Cycle due = 0;
-    uint8_t level = 0;
+    uint8_t level = 0, set = 0;
     Result result;
   };
   struct Open {  // dopu_open

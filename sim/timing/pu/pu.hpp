@@ -73,11 +73,13 @@ class Pu {
     Beat end = 0;
     uint32_t first = 0;  // survivor
     uint64_t survivors = 0;
+    uint32_t walk = 0;
   };
   static constexpr int kMostJobs = 32;  // with one front for four PUs
   using Reader = LineReader<Header, kMostJobs>;
   enum Allocate { kTake, kDecide, kOffer };
 
+  bool beside(const Machine& m, Cycle now, unsigned place) const;
   bool take_tiles(Machine& m, Cycle now);
   void allocate(Machine& m, Cycle now);
   void late(Machine& m, Cycle now);
@@ -95,6 +97,7 @@ class Pu {
 
   // pu_cull
   std::array<Beat, 8> pipe_;
+  std::array<uint32_t, 8> pipe_walk_{};
   unsigned pipe_at_ = 0;
   int pipe_count_ = 0;
   Output<Beat> survivor_;  // only with TightCull, to pu_reach

@@ -43,7 +43,7 @@ void Pu::reader(Machine& m, Cycle now) {
     job.read = !is_end(chunk.end);
     job.first = chunk.slot;
     job.count = chunk.count;
-    job.tag = {chunk.end, chunk.first, chunk.survivors};
+    job.tag = {chunk.end, chunk.first, chunk.survivors, chunk.walk};
   }
   reader_.step(now, m.memory.granted(port, now), m.memory.answered(port), take ? &job : nullptr);
   if (reader_.wants()) m.memory.ask(port, reader_.line(), false, reader_.lines());
@@ -60,6 +60,16 @@ void Pu::reader(Machine& m, Cycle now) {
 
 // --- pu_cull ---------------------------------------------------------------------------------------------------------
 
+// With Occlusion: whether the Gaussian there touches nothing of the rectangle around what is open.
+bool Pu::beside(const Machine& m, Cycle now, unsigned place) const {
+  const Beat beat = pipe_[place];
+  if (beat == kBubble || is_end(beat)) return false;
+  const Closed closed = m.open.closed(m, pipe_walk_[place], now);
+  const uint16_t most = m.trace.most[beat];
+  return closed.left > (most & 15u) || closed.right > (most >> 4 & 15u) || closed.top > (most >> 8 & 15u) ||
+         closed.bottom > (most >> 12 & 15u);
+}
+
 void Pu::cull(Machine& m, Cycle now) {
   Output<Beat>& out = tight_ ? survivor_ : culled;
   if (out.valid) return;  // pu_deal or pu_reach wakes us
@@ -70,9 +80,11 @@ void Pu::cull(Machine& m, Cycle now) {
     --pipe_count_;
   }
   Beat entering = kBubble;
+  uint32_t reader_walk = 0;
   const bool item = reader_.item_shown(now);
   if (item) {
     const Reader::Job& job = reader_.job();
+    reader_walk = job.tag.walk;
     if (!job.read) {
       entering = job.tag.end;
     } else if ((job.tag.survivors >> reader_.item() & 1) != 0) {
@@ -83,6 +95,12 @@ void Pu::cull(Machine& m, Cycle now) {
     if (reader_.needs_step(now)) m.wheel.wake_now(unit(kReader, lane_));
   }
   pipe_[pipe_at_] = entering;
+  if (item) pipe_walk_[pipe_at_] = reader_walk;
+  // The rectangle goes into the register behind stage 4.
+  if (const unsigned place = (pipe_at_ + 3) % 8; m.config.occlusion && beside(m, now, place)) {
+    pipe_[place] = kBubble;
+    --pipe_count_;
+  }
   pipe_at_ = pipe_at_ + 1 == pipe_.size() ? 0 : pipe_at_ + 1;
   if (entering != kBubble) ++pipe_count_;
   if (pipe_count_ > 0 || item) m.wheel.wake(unit(kCull, lane_), now + 1);

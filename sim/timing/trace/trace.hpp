@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "cpp_model/golden.hpp"
+#include "cpp_model/open.hpp"
 #include "cpp_model/regions.hpp"
 
 namespace pipegs {
@@ -27,12 +28,19 @@ struct TimingNode {
   uint32_t first = 0, count = 0;
 };
 
+// For which rectangles of a walk a node passes: of each side (left, right, top, bottom) 16 bits, bit n with n columns or
+// rows of regions of it closed. Without Occlusion bit 0 alone is asked for.
+using TimingSides = uint64_t;
+inline constexpr TimingSides kWholePasses = 0x0001000100010001;
+
 // A chunk that passes in a walk. In the order of the walk; with order 2 in the order of the table.
 struct TimingChunk {
   uint32_t chunk = 0;      // number of the node
   uint32_t first = 0;      // its first survivor
   uint64_t survivors = 0;  // which of its Gaussians pu_cull keeps
   uint16_t bucket = 0;     // of depth, order 2
+  uint32_t walk = 0;       // of TimingTrace::walks
+  TimingSides sides = kWholePasses;
 };
 
 // A cell or group that passes, with order 2; in the order of the table.
@@ -40,6 +48,7 @@ struct TimingParent {
   uint32_t node = 0;
   uint32_t first = 0;  // the first of its children that pass: of TimingWalk::groups_ranked, or of chunks_sent
   uint16_t bucket = 0;
+  TimingSides sides = kWholePasses;
 };
 
 // A walk of the DOPU, or with lists that of the frame. A window that goes by parts has one more before them, which is
@@ -76,6 +85,7 @@ struct TimingTrace {
   // By survivor of a cull.
   std::vector<uint32_t> slot;    // in packed memory
   std::vector<uint32_t> pairs;   // parts, lists: its first pair; one more entry at the end
+  std::vector<uint16_t> most;    // Occlusion: 4 bits a side, left lowest: closed regions with which it is kept
   std::vector<uint8_t> dropped;  // TightCull: by pu_reach; its pair, if it has one, is never asked for
   // By pair.
   std::vector<uint64_t> mask, key;  // regions of the part; sort key

@@ -9,6 +9,8 @@
 //         and nothing is filled before it is over. The last walk of the frame is marked, but for one on trial. A set is
 //         called done only if it was given up, or if every region of its own walk was done in the cycle before: never
 //         on account of a walk that it held earlier.
+//         With Occlusion planes of a set change only to those of its own walk, asked for with what pipegs_open said of
+//         that walk of that window, and not on trial.
 // Assumes Of dopu_planes the rule of free_planes; of the walk: a set is walked when it shows, released in turn when
 //         walked, not while it is on trial; a frame begins when no set is held, and stays.
 // Invariant  The sets held (walked or not) lie between the turns of release and of filling; what is filled next follows
@@ -27,6 +29,9 @@ logic               judges_before_q;
 pipegs_pkg::rotation_t rotation_before_q;
 pipegs_pkg::lens_t     lens_before_q;
 pipegs_pkg::raster_t   raster_before_q;
+logic [1:0]         refit_before_q;          // the set's planes were made anew in the cycle before
+logic [PlaceW-1:0]  asked_q;                 // the walk that dopu_planes has
+logic [ClosedBits-1:0] said;                 // by pipegs_open of the walk asked for
 logic frame_stays;
 assign frame_stays = rotation_i == rotation_before_q && lens_i == lens_before_q && raster_i == raster_before_q &&
                      judges_i == judges_before_q;
@@ -72,6 +77,11 @@ function automatic logic follows(input logic some, input logic [PlaceW-1:0] earl
             at[2*WindowW-1:0] == earlier[2*WindowW-1:0] && walk_at(at) == next_part(earlier);
 endfunction
 
+assign said = walk_at(place_q[refit_pick]) == 3'd4 ? open_i.part_0 :
+              walk_at(place_q[refit_pick]) == 3'd5 ? open_i.part_1 :
+              walk_at(place_q[refit_pick]) == 3'd6 ? open_i.part_2 :
+              walk_at(place_q[refit_pick]) == 3'd7 ? open_i.part_3 : open_i.whole;
+
 always_comb begin
   for (int unsigned s = 0; s < 2; s += 1) begin
     planes_bit[s] = planes_o[s*PlanesW + 32'(bit_place)];
@@ -90,7 +100,9 @@ always_ff @(posedge clk_i or negedge rst_ni) begin
     to_walk_q      <= '0;
     filled_q       <= 1'b0;
     valid_before_q <= '0;
+    refit_before_q <= '0;
   end else begin
+    refit_before_q <= {refit && refit_set, refit && !refit_set};
     held_q         <= held_q + 2'(fill) - 2'(release_i);
     to_walk_q      <= to_walk_q + 2'(fill) - 2'(walked_i);
     filled_q       <= !start_i && (filled_q || fill);
@@ -99,6 +111,7 @@ always_ff @(posedge clk_i or negedge rst_ni) begin
   end
 end
 always_ff @(posedge clk_i) begin
+  if (window_valid && window_ready) asked_q <= fill_due ? place : place_q[refit_pick];
   rotation_before_q <= rotation_i;
   lens_before_q     <= lens_i;
   raster_before_q   <= raster_i;
@@ -126,11 +139,17 @@ always_comb begin
       if (valid_before_q[s]) begin
         assert (place_q[s] == place_before_q[s]);
         assert (set_last_o[s] == last_before_q[s] && set_ends_o[s] == ends_before_q[s]);
-        assert (planes_bit[s] == bit_before_q[s]);
+        assert (refit_before_q[s] || planes_bit[s] == bit_before_q[s]);
       end
       assert (!set_done_o[s] || set_given_o[s] || (valid_before_q[s] && region_before_q[s]));
       assert (!set_given_o[s] || (walk_at(place_q[s]) == 3'd0 && !set_judges_o[s]));
     end
+    // planes made anew
+    assert (!(fill_due && refit_due) && !(asking_q && refitting));
+    assert (!refit_due || (valid_q[refit_pick] && !set_judges_o[refit_pick] && open_i.known && refit_closed == said &&
+                           {open_i.window_y, open_i.window_x} == place_q[refit_pick][2*WindowW-1:0]));
+    assert (!refitting || !valid_q[refit_set] || asked_q == place_q[refit_set]);
+    assert (!refitting || !valid_q[refit_set] || !set_judges_o[refit_set]);
     // what is filled
     if (fill) begin
       assert (!judges_q && more_q && (Whole || (known(place) && follows(filled_q, newest, given_q[!fill_q], place))));
@@ -142,7 +161,7 @@ always_comb begin
     assert (fresh_q == (to_walk_q == 2'd0 ? 2'b00 : to_walk_q == 2'd2 ? 2'b11 : walk_q ? 2'b10 : 2'b01));
     assert (fill_q == oldest_q ^ held_q[0] && fill_q == walk_q ^ to_walk_q[0]);
     for (int unsigned s = 0; s < 2; s += 1) assert (!valid_before_q[s] || valid_q[s]);
-    assert (asking_q == \u_planes.inside_q && (!asking_q || (more_q && !judges_q)));
+    assert ((asking_q || refitting) == \u_planes.inside_q && (!asking_q || (more_q && !judges_q)));
     assert (!judges_q || (held_q != '0 && more_q && filled_q && on_trial && place == newest && !given_q[!fill_q]));
     if (!Whole) begin
       for (int unsigned s = 0; s < 2; s += 1) begin
