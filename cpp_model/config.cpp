@@ -62,6 +62,7 @@ void config_check(const Config& config) {
                                     {"fronts", config.fronts},
                                     {"window", config.window},
                                     {"pixel_w", config.pixel_w},
+                                    {"pace", config.pace},
                                     {"chunk", config.chunk},
                                     {"grid", config.grid},
                                     {"nearest_nodes", config.nearest_nodes}}) {
@@ -95,6 +96,7 @@ void config_check(const Config& config) {
     throw ConfigError("configuration: a node has " + std::to_string(bits) + " bits, expected at most " +
                       std::to_string(most) + ": world_w or scale_m_w must be smaller");
   }
+  if (config.pace == 4 && config.tile_test == 2) throw ConfigError("configuration: pace = 4 needs tile_test 0 or 1");
   if (config.power_f > config.coeff_f) throw ConfigError("configuration: power_f must not exceed coeff_f");
 }
 

@@ -351,8 +351,10 @@ void print_areas(const pipegs::Config& c) {
 
 void print_stages(const pipegs::Config& config) {
   std::printf("\n  // Stages of a PU on pu_phases: see cpp_model/pu/stages.def.\n");
-  for (const pipegs::PuStage& stage : pipegs::pu_stages(config)) {
-    if (stage.depth == 0) continue;
+  const std::vector<pipegs::PuStage> stages = pipegs::pu_stages(config);
+  for (const pipegs::PuStage& stage : stages) {
+    const bool other = std::ranges::any_of(stages, [&](const auto& s) { return s.name == stage.name && s.built; });
+    if (stage.depth == 0 || (other && !stage.built)) continue;
     const auto print = [&](const char* what, int value) {
       print_line(fmt::format("  localparam int unsigned {:<14} = {};", std::string(stage.camel_name) + what, value),
                  "");

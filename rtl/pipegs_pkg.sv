@@ -60,6 +60,7 @@ package pipegs_pkg;
   // until the whole walk is closed (1 needs order = 2)
   localparam int unsigned Occlusion      = 0;
   localparam int unsigned Tests          = 2;  // regions side by side that pu_intersect tests in a cycle
+  localparam int unsigned Pace           = 8;  // for which a stage of the projection keeps a Gaussian: 8 or 4
   localparam int unsigned ExpIndexW      = 6;  // index of the exp2 table
   // 1: linear interpolation between the entries of the exp2 table; 0: the entry alone, no multiplier
   localparam int unsigned ExpLinear      = 1;
@@ -112,11 +113,14 @@ package pipegs_pkg;
   localparam int unsigned GeometryJobs   = 16;  // chunks whose lines such a PU has asked for
   // lines of geometry in flight or waiting in it: as many in all, whatever their number
   localparam int unsigned GeometryLines  = 128;
-  // Gaussians from where pu_project gives a payload to pu_conic's output: one, and two in each stage behind it
+  // Gaussians from where pu_project gives a payload to pu_conic's output: one place less than all; two are in pu_conic,
+  // which is no stage of the table in eight cycles
   localparam int unsigned ShapePlaces    = 13;
-  // Gaussians from where pu_project gives a centre to where pu_covariance takes it: 1, 2 in each of four stages, 1
+  // Gaussians from where pu_project gives a centre to where pu_covariance takes it: one at the output of the first,
+  // none at that of the last
   localparam int unsigned CenterDepth    = 10;
-  // Gaussians from where a payload is known to where pu_intersect takes them: the places before, 2 in pu_coeff, queue
+  // Gaussians from where a payload is known to where pu_intersect walks them: the places before, those in pu_coeff,
+  // queue, with a pace of 4 one that is placed
   localparam int unsigned PayloadDepth   = 19;
   localparam int unsigned PartsX         = 2;  // parts along a window's side
   // parts of a window, numbered row by row: what masks, coefficients and powers are made for
@@ -1098,6 +1102,10 @@ package pipegs_pkg;
   localparam int unsigned AxesClaim      = 7;
   localparam int unsigned BoxDepth       = 5;
   localparam int unsigned BoxClaim       = 7;
+  localparam int unsigned ConicDepth     = 11;
+  localparam int unsigned ConicClaim     = 14;
+  localparam int unsigned CoeffDepth     = 6;
+  localparam int unsigned CoeffClaim     = 6;
 
   // Parts of an overflow area of `size` lines: see cpp_model/areas/areas.hpp.
   localparam logic [2:0] AreaKeys = 3'd0;

@@ -8,7 +8,7 @@
 //         pu_intersect takes or drops its Gaussian, then in pu_payload until the regions are known. Only wiring here.
 // Stream  conic in; payload in, one for each Gaussian, in order, not refused; tiles out and beside them their payload,
 //         zero beside an end. Gaussians without a region vanish, ends pass.
-// Pace    One Gaussian per eight cycles, or per region of its box.
+// Pace    One Gaussian per Pace cycles, 8 or 4, or per region of its box.
 // Model   intersect() in cpp_model/golden.cpp
 
 module pu_regions #(
@@ -47,17 +47,31 @@ module pu_regions #(
   assign busy_o    = coeff_busy || walk_count != '0 || intersect_busy;
   assign payload_o = tiles_o.kind == pipegs_pkg::KindData ? payload : '0;
 
-  pu_coeff u_coeff (
-    .clk_i,
-    .rst_ni,
-    .conic_valid_i,
-    .conic_ready_o,
-    .conic_i,
-    .coeff_valid_o(coeff_valid),
-    .coeff_ready_i(coeff_ready),
-    .coeff_o(coeff),
-    .busy_o(coeff_busy)
-  );
+  if (pipegs_pkg::Pace == 4) begin : gen_four_coeff
+    pu_four_coeff u_coeff (
+      .clk_i,
+      .rst_ni,
+      .conic_valid_i,
+      .conic_ready_o,
+      .conic_i,
+      .coeff_valid_o(coeff_valid),
+      .coeff_ready_i(coeff_ready),
+      .coeff_o(coeff),
+      .busy_o(coeff_busy)
+    );
+  end else begin : gen_coeff
+    pu_coeff u_coeff (
+      .clk_i,
+      .rst_ni,
+      .conic_valid_i,
+      .conic_ready_o,
+      .conic_i,
+      .coeff_valid_o(coeff_valid),
+      .coeff_ready_i(coeff_ready),
+      .coeff_o(coeff),
+      .busy_o(coeff_busy)
+    );
+  end
 
   pipegs_sram_fifo #(.DataW(pipegs_pkg::CoeffBits), .Depth(WalkDepth)) u_walks (
     .clk_i,
@@ -98,7 +112,7 @@ module pu_regions #(
     .count_o(waiting_count)
   );
 
-  pu_payload #(.DataW(PayloadW)) u_payload (
+  pu_payload #(.DataW(PayloadW), .Places(pipegs_pkg::Pace == 4 ? 3 : 2)) u_payload (
     .clk_i,
     .rst_ni,
     .walk_i(go),

@@ -195,6 +195,20 @@ mutant pu_deal "a Gaussian waits for a PU's ready" 's/out_room_i & ~waiting_q/ou
 mutant pu_deal "an end goes to one PU only" "s/(if \(take_end\) waiting_q <= )'1/\11/"
 mutant pu_deal "the turn goes on while nothing is dealt" \
        "s/(else if \()take_data\) last_q/\1room != '0) last_q/"
+mutant pu_four_project "the reciprocal before is used" 's/inv_valid \? inv : inv_q/inv_q/' pu_shape_four
+mutant pu_four_orient "the entries 12 and 21 with w z for w x" 's/write\[3\] \? wx_q : wz_q/wz_q/' pu_shape_four
+mutant pu_four_jacobian "a column of the cross product without its second product" \
+       "s/ \+ SumW'\(product3_q\)//" pu_shape_four
+mutant pu_four_factors "the distance of t_0 is that of t_1" 's/phase\[1\] \? e\[6\]/phase[1] ? e[7]/' pu_shape_four
+mutant pu_four_squares "u0 . u1 is twice as large" 's/\(whole - alone_q\) >>> 1/(whole - alone_q)/' pu_shape_four
+mutant pu_four_covariance "0.3 is added in place of c0" 's/first\[3\] \? c0_q : Small/Small/' pu_shape_four
+mutant pu_four_conic "roots of the set that a younger record has" \
+       's/(give_set_i\()ride_12_q/\1ride_8_q/' pu_shape_four
+mutant pu_four_extent "the box lies crosswise" 's/(pixels_x = pixels_q\[)swap_i/\1!swap_i/' pu_shape_four
+mutant pu_four_coeff "u w is added" "s/(c_q <= c_q) - SumBcW/\1 + SumBcW/" pu_regions_four
+mutant pipegs_square "products with the sign bit count as positive" 's/sum -= row/sum += row/' pu_shape_four
+mutant pu_intersect "the box of the next is made before the walk has begun" 's/(box_free = ).*/\11;/' pu_intersect_four
+mutant pu_intersect "a third is under test" "s/drains_q != 2'\(Drains\)/1/" pu_intersect_four
 mutant pu_regions "a Gaussian that dies leaves its payload in the queue" 's/(out_ready_i.)drop \|\| go/\1go/'
 mutant pu_payload "whoever leaves shows the first word" "s/head_q == Last \? '0 : head_q \+ 1'b1/head_q/" pu_regions
 mutant pu_turns "the output takes what is not inside" 's/(leave_o *= move_o) \&\& inside_q/\1/' pu_conic

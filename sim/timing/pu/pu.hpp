@@ -84,13 +84,14 @@ class Pu {
   void allocate(Machine& m, Cycle now);
   void late(Machine& m, Cycle now);
   void lines(Machine& m, Cycle now);
+  bool show(Phases& phases, bool& shown, Output<Beat>& out, Cycle now);
   void slot(Machine& m, Cycle now, SlotStage& stage, Output<Beat>& in, int giver, int self, int taker, int out_phase,
             int tail);
   uint64_t done_regions(const Machine& m, uint64_t part) const;
 
   const int lane_;
   const bool front_;
-  const bool late_, lists_, has_parts_, tight_;
+  const bool late_, lists_, has_parts_, tight_, four_;
 
   Reader reader_;
   bool chunk_room_ = true;  // in the next cycle
@@ -105,8 +106,10 @@ class Pu {
   Queue<Beat, Config::reach_depth(), 12> reach_;
   bool reach_offered_ = false;  // its head is what pu_deal sees
 
-  Phases phases_;  // project to covariance
+  Phases phases_;  // project to covariance, at a pace of four cycles to conic
+  Phases coeff_phases_;  // coeff, at a pace of four cycles
   SlotStage conic_, coeff_;
+  bool conic_shown_ = false, coeff_shown_ = false;  // at a pace of four cycles: out is what the phases show
   Expand expand_;  // only with lists
   Parts parts_;    // only with parts
 

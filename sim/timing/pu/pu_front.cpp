@@ -14,11 +14,14 @@ Pu::Pu(const Machine& m, int lane)
       lists_(m.config.has_lists()),
       has_parts_(m.config.parts() > 1),
       tight_(m.config.tight_cull != 0),
+      four_(m.config.pace == 4),
       reader_(m.config.gaussians_per_line(), m.frame.tables.gaussians, m.config.geometry_jobs(),
               m.config.geometry_lines()),
-      phases_(m.config),
+      phases_(pu_built(m.config, "project", "conic")),
+      coeff_phases_(pu_built(m.config, "coeff", "coeff")),
       expand_(lane),
       parts_(lane),
+      intersect_(m.config.pace == 4),
       ended_(m.config.alpha_layers),
       alpha_lines_(m.config.alpha_lines),
       alpha_addresses_(m.config.alpha_addresses()),
@@ -138,7 +141,7 @@ void Pu::project(Machine& m, Cycle now) {
   if (visible.count() == Config::visible_depth()) m.wheel.wake(unit(kDeal), now + 1);
   const Beat beat = visible.front();
   visible.pop(now);
-  if (phases_.take(now, beat)) m.wheel.wake(unit(kConic, lane_), phases_.out.from);
+  if (phases_.take(now, beat)) m.wheel.wake(unit(kConic, lane_), four_ ? now + 1 : phases_.out.from);
   if (!visible.empty() && phases_.can_take()) m.wheel.wake(self, std::max(phases_.ready(), visible.head_from()));
 }
 
@@ -172,8 +175,28 @@ void Pu::slot(Machine& m, Cycle now, SlotStage& stage, Output<Beat>& in, int giv
   m.wheel.wake(self, stage.out_at);
 }
 
+// At a pace of four cycles the last stage of `phases` shows what it has at `out`, its own until that is taken: tells
+// whether it was.
+bool Pu::show(Phases& phases, bool& shown, Output<Beat>& out, Cycle now) {
+  const bool taken = shown && !out.valid;
+  if (taken) {
+    shown = phases.out.valid = false;
+    phases.taken(now);
+  }
+  if (!shown && phases.out.valid) {
+    shown = true;
+    out.set(phases.out.from, phases.out.value);
+  }
+  return taken;
+}
+
 void Pu::conic(Machine& m, Cycle now) {
   const bool there = phases_.out.valid;
+  if (four_) {
+    if (show(phases_, conic_shown_, conic_.out, now)) m.wheel.wake_now(unit(kProject, lane_));
+    if (conic_.out.valid) m.wheel.wake(unit(lists_ || has_parts_ ? kExpand : kCoeff, lane_), conic_.out.from);
+    return;
+  }
   slot(m, now, conic_, phases_.out, unit(kProject, lane_), unit(kConic, lane_),
        unit(lists_ || has_parts_ ? kExpand : kCoeff, lane_), 5, 3);
   if (!there || phases_.out.valid) return;
@@ -182,6 +205,21 @@ void Pu::conic(Machine& m, Cycle now) {
 
 void Pu::coeff(Machine& m, Cycle now) {
   Output<Beat>& in = lists_ ? expand_.out : has_parts_ ? parts_.out : conic_.out;
+  if (four_) {
+    show(coeff_phases_, coeff_shown_, coeff_.out, now);
+    if (in.valid && coeff_phases_.can_take()) {
+      const Cycle when = std::max(coeff_phases_.ready(), in.from);
+      if (when > now) m.wheel.wake(unit(kCoeff, lane_), when);
+      if (when <= now) {
+        in.valid = false;
+        m.wheel.wake_now(unit(lists_ || has_parts_ ? kExpand : kConic, lane_));
+        coeff_phases_.take(now, in.value);
+        show(coeff_phases_, coeff_shown_, coeff_.out, now);
+      }
+    }
+    if (coeff_.out.valid) m.wheel.wake(unit(kIntersect, lane_), coeff_.out.from);
+    return;
+  }
   slot(m, now, coeff_, in, unit(lists_ || has_parts_ ? kExpand : kConic, lane_), unit(kCoeff, lane_),
        unit(kIntersect, lane_), 3, 5);
 }

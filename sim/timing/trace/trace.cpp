@@ -263,6 +263,7 @@ Config timing_config(Config config) {
   const Config standard;
   config.units = standard.units;
   config.pixels_per_row = standard.pixels_per_row;
+  config.pace = standard.pace;
   config.alpha_lines = standard.alpha_lines;
   config.alpha_layers = standard.alpha_layers;
   config.records = standard.records;
