@@ -65,6 +65,7 @@ SCENES = {  # scene: its file or folder in the folder of scenes
     "plushdog": "plushdog/point_cloud_29999_clean.ply",
     "flowers": "flowers/flowers",
     "showroom": "showroom/lacadiere",
+    "campsite": "campsite/campsite",
 }
 PHOTOGRAPHS = {"plush"}  # folders of photographs, beside the scenes
 CODE = {".sv", ".svh", ".c", ".h", ".cpp", ".hpp", ".def", ".py", ".sh", ".sby", ".mjs", ".json", ".csv", ".vlt"}
