@@ -114,7 +114,6 @@ module su_collect (
   end
   always_ff @(posedge clk_i) if (rst_ni) assert (!(take && !data && !mark_all_o) || marks_q != '1);
   always_ff @(posedge clk_i) if (rst_ni) assert (!(take && data) || in_bucket_i >= mark_q);
-  always_ff @(posedge clk_i) if (rst_ni) assert (!(returns_i && in_valid_i) || data);
   always_ff @(posedge clk_i) if (rst_ni) assert (pipegs_pkg::Overflow != 0 || !lost)
     else $error("su_collect: the records of a set do not fit, and Overflow is 0");
   pipegs_stream_check #(.DataW($bits(set_o))) u_check_insert (

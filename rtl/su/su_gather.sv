@@ -64,7 +64,8 @@ module su_gather #(
   logic               in_valid, valid, ready, slot_valid, pool_active, collect_active, release_moves;
   pipegs_pkg::splat_t in;
   logic [RecordW:0]   used;
-  logic [BucketW-1:0] bucket;
+  logic [BucketW-1:0] bucket, back_bucket, insert_bucket;  // of what comes in, of what returns, of the record
+  logic [pipegs_pkg::KindW-1:0] kind;
   logic               insert_valid, insert_ready, set, mark_push, mark_room, mark_all, mark_spills;
   logic               released, released_set;
 
@@ -81,11 +82,20 @@ module su_gather #(
   assign valid        = returns_i ? back_valid_i : in_valid;
   assign record_o     = returns_i ? back_i : in;
   assign back_ready_o = returns_i && ready;
+  // What returns has come a long way in its cycle. It is never an end and meets no job of the buckets, so neither its
+  // kind nor its bucket has a say in whether it is taken.
+  assign kind = returns_i ? pipegs_pkg::KindData : in.kind;
   su_bucket u_bucket (
     .octave_i,
-    .depth_i(record_o.depth),
+    .depth_i(in.depth),
     .bucket_o(bucket)
   );
+  su_bucket u_back_bucket (
+    .octave_i,
+    .depth_i(back_i.depth),
+    .bucket_o(back_bucket)
+  );
+  assign insert_bucket = returns_i ? back_bucket : bucket;
 
   pipegs_slot_pool #(.Slots(pipegs_pkg::Records)) u_slots (
     .clk_i,
@@ -105,8 +115,8 @@ module su_gather #(
     .rst_ni,
     .in_valid_i(valid),
     .in_ready_o(ready),
-    .in_kind_i(record_o.kind),
-    .in_bucket_i(bucket),
+    .in_kind_i(kind),
+    .in_bucket_i(insert_bucket),
     .slot_valid_i(slot_valid),
     .insert_valid_o(insert_valid),
     .insert_ready_i(insert_ready),
@@ -138,12 +148,13 @@ module su_gather #(
     .insert_ready_o(insert_ready),
     .set_i(set),
     .bucket_i(bucket),
+    .insert_bucket_i(insert_bucket),
     .slot_i(slot_o),
     .mark_valid_i(mark_push),
     .mark_ready_o(mark_room),
     .mark_all_i(mark_all),
     .mark_spills_i(mark_spills),
-    .mark_kind_i(record_o.kind),
+    .mark_kind_i(in.kind),
     .spill_job_i(job_valid_i),
     .job_done_o,
     .released_o(released),
@@ -167,6 +178,7 @@ module su_gather #(
   assign moves_o = collect_active || pool_active || release_moves;
 
 `ifndef SYNTHESIS
+  always_ff @(posedge clk_i) if (rst_ni) assert (!(returns_i && back_valid_i) || back_i.kind == pipegs_pkg::KindData);
   always_ff @(posedge clk_i) if (rst_ni) assert (!mark_push || mark_room || !pipegs_pkg::HasWatermarks);
 `endif
 

@@ -19,7 +19,8 @@ module su_release #(
   input  logic               insert_valid_i,  // a record has its slot
   output logic               insert_ready_o,
   input  logic               set_i,
-  input  logic [BucketW-1:0] bucket_i,
+  input  logic [BucketW-1:0] bucket_i,         // of what comes in
+  input  logic [BucketW-1:0] insert_bucket_i,  // of the record
   input  logic [RecordW-1:0] slot_i,
 
   input  logic               mark_valid_i,  // an end, of this set and before this bucket
@@ -83,7 +84,8 @@ module su_release #(
     .insert_valid_i,
     .insert_ready_o,
     .insert_set_i(set_i),
-    .insert_bucket_i(bucket_i),
+    .insert_bucket_i,
+    .arrives_bucket_i(bucket_i),
     .insert_slot_i(slot_i),
     .job_valid_i(spill_job_i || waits),
     .job_done_o,
