@@ -45,8 +45,10 @@ ADDED = {  # from exact towards fast: what each step adds to the one before
     "buckets": ("buckets of 1/64 octave", "--set bucket_bits=6"),
     "tests2": ("two tests of regions in a cycle", "--set tests=2"),
     "tight": ("a cull by the ellipse itself", "--set tight_cull=1"),
-    "fronts": ("two of the four PUs fetch and cull", "--set fronts=2"),
+    "fronts": ("one of the four PUs fetches and culls", "--set fronts=1"),
     "boxes": ("boxes around ellipsoids in the DOPU, groups of 16 chunks", "--set tight_boxes=1 --set group=16"),
+    "pace": ("a Gaussian every four cycles", "--set pace=4"),
+    "occlusion": ("nothing behind what is opaque", "--set occlusion=1"),
 }
 SUMS = accumulate((change for _, change in ADDED.values()), "{} {}".format)
 STEPS = {name: (what, change) for (name, (what, _)), change in zip(ADDED.items(), SUMS)}
@@ -64,8 +66,8 @@ SCALED = {  # our own scene in parts, and the view: millions of Gaussians, then 
 }
 MEMORIES = {  # settings of the design point
     "dop": "",
-    "fast": "fronts=2 window=128 group=16 late=1 order=2 quads=1 pos_w=18 base_w=14 mantissa_w=22 coeff_f=24 "
-            "tight_cull=1 tight_boxes=1 tests=2 alpha_w=10 pixel_w=32 records=1408 bucket_bits=6 "
+    "fast": "fronts=1 window=128 group=16 late=1 order=2 quads=1 pos_w=18 base_w=14 mantissa_w=22 coeff_f=24 "
+            "tight_cull=1 tight_boxes=1 occlusion=1 tests=2 pace=4 alpha_w=10 pixel_w=32 records=1408 bucket_bits=6 "
             "nearest_nodes=1024 mark_chunks=7",
 }
 BY_BANDWIDTH = ("baseline", "dop", "exact", "fast")
