@@ -56,8 +56,8 @@ package pipegs_pkg;
   // 1: a node holds the box around its Gaussians' ellipsoids, too, which the DOPU tests where they are small beside
   // their distance; 0: only that of their means, grown by the largest scale (1 needs order 2)
   localparam int unsigned TightBoxes     = 1;
-  // 1: what lies beside a rectangle around the regions that are still open is neither fetched nor projected; 0: it is,
-  // until the whole walk is closed (1 needs order = 2)
+  // 1: what lies beside a rectangle around the regions still open is neither fetched nor projected; 0: it is, until the
+  // whole walk is closed (1 needs order = 2)
   localparam int unsigned Occlusion      = 0;
   localparam int unsigned Tests          = 2;  // regions side by side that pu_intersect tests in a cycle
   localparam int unsigned Pace           = 8;  // for which a stage of the projection keeps a Gaussian: 8 or 4
@@ -148,6 +148,8 @@ package pipegs_pkg;
   // octave of a bucket: the depth key's exponent; with watermarks 16 of them, from the near plane's on
   localparam int unsigned OctaveW        = 4;
   localparam int unsigned BucketW        = 10;  // bucket of depth: its octave, then leading bits of the mantissa
+  // leading bits of a bucket: where in depth a window's load is counted (dopu_load)
+  localparam int unsigned LoadW          = 8;
   localparam int unsigned WindowW        = 10;  // column or row of a window in the frame
   // where a beat belongs, as chunk, fetched and visible have it: its window, then its walk
   localparam int unsigned PlaceW         = 23;
@@ -1241,7 +1243,7 @@ package pipegs_pkg;
     48'h0088_060c1012,  // CONFIG_GAUSSIAN
     48'h0084_00030e52,  // CONFIG_POINT
     48'h0080_10048004,  // CONFIG_COUNTS
-    48'h000c_f21e82ee,  // CONFIG_HASH
+    48'h000c_034c1283,  // CONFIG_HASH
     48'h0008_983831c8,  // LAYOUT
     48'h0004_00020000,  // VERSION
     48'h0000_47504950  // ID

@@ -73,7 +73,7 @@ of baseline pu_power
 of dpc pu_expand pu_list pu_record pipegs_lists pipegs_list_write pipegs_list_read
 of tspp pu_lines pu_fill
 of exact pu_marks dopu_depth dopu_bucket dopu_rank dopu_open dopu_send dopu_nearest
-of fast ru_live ru_regions ru_power ru_quads pu_parts pu_reach
+of fast dopu_load ru_live ru_regions ru_power ru_quads pu_parts pu_reach
 of gscore pu_axes pu_box pu_touch
 package() {  # the path of the package with these settings
   local folder; folder=$scratch/$(cksum <<< "$1" | tr ' ' _)

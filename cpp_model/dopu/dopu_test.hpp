@@ -61,6 +61,9 @@ inline Corners dopu_test_corners(const Config& config, const Frame& frame, const
   return box;
 }
 
+// What flooring takes from a sum of products at most.
+inline int64_t dopu_test_slack(const Config& config) { return int64_t{1} << (config.test_w() + 2); }
+
 // Which planes of a window does the node pass? A bit for each.
 inline unsigned dopu_test_planes(const Config& config, const Frame& frame, const Planes& planes, const Node& node,
                                  int step) {
@@ -75,7 +78,7 @@ inline unsigned dopu_test_planes(const Config& config, const Frame& frame, const
   const int64_t scale = up >= 0 ? mantissa << up : shift_floor(mantissa, -up);
   const int64_t most = (int64_t{1} << (width - 1)) - 1;
   const int64_t near = std::min(most, shift_floor(static_cast<int64_t>(frame.lens.near_plane), box.exponent));
-  const int64_t slack = int64_t{1} << (width + 2);
+  const int64_t slack = dopu_test_slack(config);
   unsigned passed = 0;
   for (int side = 0; side < kPlanes; ++side) {
     const Plane& p = planes[static_cast<size_t>(side)];

@@ -45,6 +45,8 @@ module dopu_chunks #(
 
   output logic                                 group_valid_o,  // of a set on trial: a group passes, ...
   output logic [pipegs_pkg::CountW-1:0]        group_chunks_o,
+  output logic [pipegs_pkg::LoadW-1:0]         group_near_o,
+  output logic [pipegs_pkg::LoadW-1:0]         group_far_o,
   output logic                                 counted_o,      // ... all of them have
 
   output logic [1:0]                           bad_o,      // a cell, a group: see pipegs_line_reader
@@ -84,6 +86,8 @@ module dopu_chunks #(
       .mark_o,
       .group_valid_o,
       .group_chunks_o,
+      .group_near_o,
+      .group_far_o,
       .counted_o,
       .bad_o,
       .bad_line_o,
@@ -125,6 +129,8 @@ module dopu_chunks #(
     assign mark_o         = '0;
     assign group_valid_o  = 1'b0;
     assign group_chunks_o = '0;
+    assign group_near_o   = '0;
+    assign group_far_o    = '0;
     assign counted_o      = 1'b0;
     logic unused_judges;
     assign unused_judges  = ^set_judges_i;

@@ -82,6 +82,7 @@ module pipegs_dopu (
   logic [2*5*pipegs_pkg::PlaneBits-1:0] planes;
   logic                 window_walked, window_sent, done_news, judges, group_valid, counted, judged, parts;
   logic [pipegs_pkg::CountW-1:0] group_chunks;
+  logic [pipegs_pkg::LoadW-1:0]  group_near, group_far;
 
   dopu_windows u_windows (
     .clk_i,
@@ -118,6 +119,8 @@ module pipegs_dopu (
       .judges_o(judges),
       .group_valid_i(group_valid),
       .group_chunks_i(group_chunks),
+      .group_near_i(group_near),
+      .group_far_i(group_far),
       .counted_i(counted),
       .judged_o(judged),
       .parts_o(parts)
@@ -127,7 +130,7 @@ module pipegs_dopu (
     assign judged = 1'b0;
     assign parts  = 1'b0;
     logic unused_load;
-    assign unused_load = &{1'b0, group_valid, group_chunks, counted};
+    assign unused_load = &{1'b0, group_valid, group_chunks, group_near, group_far, counted};
   end
 
   // --- cells --------------------------------------------------------------------------------------------------------
@@ -208,6 +211,8 @@ module pipegs_dopu (
     .mark_o(node_mark),
     .group_valid_o(group_valid),
     .group_chunks_o(group_chunks),
+    .group_near_o(group_near),
+    .group_far_o(group_far),
     .counted_o(counted),
     .bad_o(nodes_bad),
     .bad_line_o(nodes_line),

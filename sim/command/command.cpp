@@ -90,8 +90,8 @@ void ViewArguments::add(CLI::App& app, DesignPoints which) {
   add_file(app);
   if (which != DesignPoints::kBase) add_settings(app);
   add_integer(app, "--walk-most", walk_most,
-              "a window of `fast` whose groups hold more Gaussians is walked part by part, 0: none is; the picture is "
-              "the same",
+              "a window of `fast` with more Gaussians at about one depth is walked part by part, 0: none is; the "
+              "picture is the same",
               uint64_t{0}, (uint64_t{1} << 24) - 1)
       .shows_default();
   add_real(app, "--near", near_plane, "near plane, scene units", kPositive).shows_default();

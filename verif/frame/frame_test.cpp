@@ -115,7 +115,7 @@ TEST(Frame, NeedlesFlatSplatsAndExtremeOpacities) {
 void expect_equal_in_parts(const Scene& scene, const Camera& camera) {
   SimulateOptions options = machine(kFast);
   std::vector<uint64_t> whole;
-  for (const uint64_t most : {0, 1, 1200}) {
+  for (const uint64_t most : {0, 1, 1500}) {
     SCOPED_TRACE(fmt::format("at most {}", most));
     options.walk_most = most;
     const std::vector<uint64_t> pixels = expect_equal(scene, camera, options);

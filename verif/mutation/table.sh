@@ -34,9 +34,15 @@ mutant dopu_windows "a part is on trial, too" 's/(on_trial = judges_i) && !parts
 mutant dopu_nearest "a window on trial opens groups" 's/!held_back && open_ready/open_ready/' dopu_nearest_fast
 mutant pipegs_dopu "the end of a walk that is given up goes to the PUs" \
        's/(given_up    = walk_end) && /\1 \&\& 1'"'"'b0 \&\& /' dopu_nearest_fast
-mutant dopu_load "the last group alone decides" "s/SumW'\(sum_q\) \+ //" dopu_nearest_fast
-mutant dopu_load "what a window held counts for the next one" \
-       's/else if \(judged_o\)/else if (parts_q)/' dopu_nearest_fast
+mutant dopu_load "the last group alone counts" "s/sum_q (\+ SumW'\(group)/\1/"
+mutant dopu_load "a group ends in its last bucket" "s/(group_near_i\}) \+ 1'b1/\1/"
+mutant dopu_load "a word that is just written is read" 's/again_q \? sums_q : //'
+mutant dopu_load "what a window held counts for the next one" 's/(else if \()judged_o\) some_q/\11'"'"'b0) some_q/'
+mutant dopu_load "the first bucket of a word alone is judged" 's/(load\[i\] *= before_q \+ rise_q)\[i\]/\1[0]/'
+mutant dopu_rank "the farthest corner is taken for the nearest" 's/farthest_q <= farthest/farthest_q <= nearest/' \
+       dopu_nearest_fast
+mutant dopu_test "the near plane's distance is taken off the farthest corner, too" \
+       's/corner_q <= corner_a/corner_q <= sum_a/' dopu_test_walks
 mutant dopu_planes "a part reaches as far as its window" 's/half \? W/1'"'"'b0 ? W/' dopu_planes_walks
 mutant pipegs_dopu "each part ends its window" \
        's/(part_end    = walk_end) && !set_ends/\1 \&\& 1'"'"'b0 \&\& set_ends/' dopu_nearest_fast

@@ -129,7 +129,7 @@ TEST(Timing, WindowsOfFourParts) {
 
 // Windows are counted, and go whole or by parts, also with more than the SUs hold.
 TEST(Timing, WindowsWalkedPartByPart) {
-  for (const uint64_t most : {0, 1, 700}) {
+  for (const uint64_t most : {0, 1, 600}) {
     SCOPED_TRACE(most);
     SimulateOptions options = design_point("fast");
     options.walk_most = most;

@@ -52,7 +52,9 @@ module dopu_nearest #(
   output logic [pipegs_pkg::DepthW-1:0]         mark_o,        // a layer end's watermark
 
   output logic                                  group_valid_o,   // of a set on trial: a group passes, ...
-  output logic [pipegs_pkg::CountW-1:0]         group_chunks_o,  // ... its chunks
+  output logic [pipegs_pkg::CountW-1:0]         group_chunks_o,  // ... its chunks,
+  output logic [pipegs_pkg::LoadW-1:0]          group_near_o,    // ... where in depth it begins,
+  output logic [pipegs_pkg::LoadW-1:0]          group_far_o,     // ... and ends
   output logic                                  counted_o,       // all groups were shown
   output logic [1:0]                            bad_o,         // a cell, a group: see pipegs_line_reader
   output logic [2*pipegs_pkg::AddressW-1:0]     bad_line_o,
@@ -185,11 +187,13 @@ module dopu_nearest #(
     .result_pass_o(result_pass),
     .result_tag_o({result_last, result_level}),
     .result_bucket_o(result_bucket),
+    .result_far_o(group_far_o),
     .result_place_o(result_place),
     .result_range_o(result_range)
   );
   assign group_valid_o  = result_valid && result_pass && result_level == 2'd1 && judges;
   assign group_chunks_o = result_range[SlotW +: CountW];
+  assign group_near_o   = result_bucket[BucketW-1 -: pipegs_pkg::LoadW];
   assign counted_o      = through[1] && judges;
   assign result_kept    = result_pass || result_last;
 

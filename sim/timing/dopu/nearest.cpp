@@ -25,7 +25,8 @@ Nearest::Nearest(const TimingTrace& trace, const Config& config)
       since_most_((uint32_t{1} << (clog2(config.mark_chunks + 1) + (Config::window_marks() >> 3))) - 1),
       near_step_(dopu_depth_near(trace.config, trace.frame)),
       mark_shift_(config.depth_w - config.step_w()),
-      most_groups_(config.nearest_nodes / 2),
+      load_(trace.config, trace.frame.walk_most),
+      load_cycles_((1 << trace.config.load_w()) / kLoadWord + 3),
       queue_(std::make_unique<NearestQueue>(config.nearest_nodes)),
       none_((1 << trace.config.bucket_w()) - 1),
       open_{Open(trace.frame.tables.groups, none_), Open(trace.frame.tables.chunks, none_)} {}
@@ -38,10 +39,13 @@ void Nearest::step(DopuCycle& cycle, DopuSets& sets) {
     cycle.moved = cycle.changed = true;
 
   // dopu_load
-  cycle.judged = too_much_ || (is.through[1] && sets[static_cast<size_t>(set_[1])].judges);
-  cycle.parts = too_much_;
+  const bool counted = is.through[1] && sets[static_cast<size_t>(set_[1])].judges, read = judge_at_ == now;
+  cycle.judged = many_groups_ || read || (counted && load_.fits());
+  cycle.parts = many_groups_ || (read && load_.overfull());
+  if (counted) judge_at_ = now + (load_.overfull() ? 4 + *load_.overfull() / kLoadWord : load_cycles_);
   enter(cycle, sets, is);
-  if (cycle.judged) gaussians_ = groups_ = 0, too_much_ = false, cycle.changed = true;
+  if (cycle.judged) load_.clear(), many_groups_ = false, judge_at_ = kNever, cycle.changed = true;
+  cycle.at(judge_at_);
   if (send(cycle, sets, is)) cycle.changed = true;
 
   // The queue, and the nodes that are opened.
@@ -219,9 +223,9 @@ void Nearest::enter(DopuCycle& cycle, const DopuSets& sets, const Said& is) {
     const DopuSet& set = sets[in.set];
     in.result.pass = in.result.pass && passes(in.result.sides, set, in.due - kTestCycles);
     if (in.level == 1 && in.result.pass && set.judges) {
-      const uint32_t group = trace_.walks[set.walk].groups_ranked[in.result.node.number].node;
-      gaussians_ += uint64_t{trace_.groups[group].count} * static_cast<uint64_t>(trace_.config.chunk);
-      too_much_ = gaussians_ > trace_.frame.walk_most || ++groups_ > most_groups_;
+      const TimingParent& group = trace_.walks[set.walk].groups_ranked[in.result.node.number];
+      load_.add(group.bucket, group.far, trace_.groups[group.node].count);
+      many_groups_ = load_.many_groups();
     }
     if (in.result.pass || in.result.last) {
       held_[in.level].push(now, in.result);

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "cpp_model/config.hpp"
+#include "cpp_model/dopu/dopu_load.hpp"
 #include "sim/timing/dopu/dopu_item.hpp"
 #include "sim/timing/line_reader.hpp"
 #include "sim/timing/dopu/nearest_queue.hpp"
@@ -31,6 +32,7 @@ class Nearest {
   static constexpr int kLevels = 3;
   static constexpr int kResults = Config::nearest_results(), kMost = Config::nearest_open();
   static constexpr Cycle kTestCycles = 13;  // of dopu_rank
+  static constexpr int kLoadWord = 4;       // buckets that dopu_load reads in a cycle
 
   struct Parent {
     uint32_t first_pass = 0;  // of its children
@@ -71,10 +73,10 @@ class Nearest {
   const int near_step_, mark_shift_;
 
   // dopu_load: of the set on trial
-  const int most_groups_;
-  uint64_t gaussians_ = 0;
-  int groups_ = 0;
-  bool too_much_ = false;
+  DopuLoad load_;
+  const Cycle load_cycles_;  // until all buckets are read
+  bool many_groups_ = false;
+  Cycle judge_at_ = kNever;  // while its buckets are read
 
   // levels: 0 scans cells, 1 opens cells, 2 opens groups
   std::array<int, kLevels> set_{};

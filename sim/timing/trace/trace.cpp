@@ -138,8 +138,9 @@ class WindowTrace {
         const TimingSides group_sides = sides(group, cell_bucket);
         if (group_sides == 0) continue;
         const int group_bucket = bucket(group, cell_bucket);
+        const int far = dopu_depth_far(config_, frame_, planes_[0], group, cell_bucket);
         walk().groups_ranked.push_back({static_cast<uint32_t>(g), static_cast<uint32_t>(part_.chunks.size()),
-                                        static_cast<uint16_t>(group_bucket), group_sides});
+                                        static_cast<uint16_t>(group_bucket), group_sides, static_cast<uint16_t>(far)});
         if (!walk().given_up) chunks(group, group_bucket);
       }
     }
