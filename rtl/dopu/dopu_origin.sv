@@ -25,7 +25,9 @@ module dopu_origin (
 
   output logic                            chunk_valid_o,
   input  logic                            chunk_ready_i,
-  output pipegs_pkg::chunk_t              chunk_o
+  output pipegs_pkg::chunk_t              chunk_o,
+
+  output logic                            active_o  // something is inside
 );
 
   localparam int unsigned WorldW = pipegs_pkg::WorldW;
@@ -144,6 +146,7 @@ module dopu_origin (
   assign shifted       = source_q[0] >>> view_exp_q;
   assign rounded       = ViewW'(shifted >>> 1) + ViewW'({1'b0, shifted[0]});
   assign chunk_valid_o = shifting_q && shift_step_q == 2'd3;
+  assign active_o      = busy_q || shifting_q;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin

@@ -244,7 +244,7 @@ module pipegs_dopu (
   );
 
   // --- chunks -> PUs ------------------------------------------------------------------------------------------------
-  logic               chunk_valid, chunk_ready, last_end, walk_end, part_end, given_up, origin_ready;
+  logic               chunk_valid, chunk_ready, last_end, walk_end, part_end, given_up, origin_ready, origin_active;
   pipegs_pkg::chunk_t chunk;
 
   dopu_origin u_origin (
@@ -260,7 +260,8 @@ module pipegs_dopu (
     .mark_i(node_mark),
     .chunk_valid_o(chunk_valid),
     .chunk_ready_i(chunk_ready),
-    .chunk_o(chunk)
+    .chunk_o(chunk),
+    .active_o(origin_active)
   );
   // Nothing of the walk needs its planes any more once its end has left the test.
   assign walk_end    = node_kind == pipegs_pkg::KindWindowEnd;
@@ -293,6 +294,7 @@ module pipegs_dopu (
     .memory_i(rsp_valid_i || (mem_valid_o && mem_ready_i)),
     .news_i(done_news),
     .waits_i(waiting || loading),
+    .origin_i(origin_active),
     .chunk_valid_i(chunk_valid),
     .last_end_i(last_end),
     .out_valid_i(chunk_valid_o),

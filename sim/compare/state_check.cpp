@@ -105,12 +105,8 @@ void StateCheck::judge_dopu() {
     allowed &= ~kS;
   } else {
     if (judged.border[kChunkRoom] != 0) allowed &= ~kK;
-    // Nearest first, the levels of nodes read nothing ahead, unless what comes first is held up by an SU: by one that
-    // takes no splat, or that spills and takes no watermark either.
-    bool held = false;
-    for (int k = 0; k < config_.units; ++k)
-      held = held || spills_[static_cast<size_t>(k)] || (judged.at(kSplatShows, k) && !judged.at(kSplatReady, k));
-    if (config_.has_watermarks() && without_nodes_ == 0 && !loading_ && !held) allowed &= ~kS;
+    // Nearest first, what holds up nodes on their way is a chunk that is made, or finds no room.
+    if (config_.has_watermarks() && without_nodes_ == 0 && !loading_) allowed &= ~kS;
   }
   if (without_nodes_ > kArrival) allowed &= ~kM;
   if (!judged.at(kDopuBusy, 0)) allowed = kS;

@@ -557,7 +557,7 @@ group states "States of the units (\`perf_o\`), against what stands at their bor
 mutant dopu_activity "busy reads as starved" 's/(moved_i \? pipegs_pkg::)PerfBusy/\1PerfStarved/' machine_live
 mutant dopu_activity "busy reads as blocked" 's/(moved_i \? pipegs_pkg::)PerfBusy/\1PerfBlocked/' machine_live
 mutant dopu_activity "starved and blocked change places" \
-       's/Blocked( : pipegs_pkg::Perf)Starved/Starved\1Blocked/' machine_live
+       's/Blocked( : .*Perf)Starved/Starved\1Blocked/' machine_live
 mutant pu_state "busy reads as starved" 's/(front_i\) state_o = pipegs_pkg::)PerfBusy/\1PerfStarved/' machine_live
 mutant pu_state "busy reads as blocked" 's/(front_i\) state_o = pipegs_pkg::)PerfBusy/\1PerfBlocked/' machine_live
 mutant pu_state "starved reads as blocked" 's/(else state_o = pipegs_pkg::)PerfStarved/\1PerfBlocked/' machine_live

@@ -313,5 +313,19 @@ TEST_F(States, TheComparisonOfFramesHearsThem) {
   EXPECT_EQ(sums.frame(0).first()->who, "RU 1");
 }
 
+// All at one depth, more than the pools hold: SUs spill, and the DOPU has read more nodes than it can send.
+TEST(StatesWhileSpilling, ADopuThatMakesAChunkIsBusy) {
+  std::vector<Gaussian> gaussians;
+  for (int i = 0; i < 14000; ++i)
+    gaussians.push_back(gaussian_at(
+        {0.0054f * static_cast<float>(i % 118 - 59), 0.0054f * static_cast<float>(i / 118 - 59), 2}, 0.02f, 0.99));
+  const SimulateOptions options = machine(kExact);
+  Simulation simulation;
+  simulate_golden(scene_of(gaussians), test_camera(64, 64), options, simulation);
+  simulate_rtl(options, simulation);
+  EXPECT_GT(simulation.rtl.overflow_lines, 0u) << "no SU spills";
+  EXPECT_EQ(simulation.mismatches, 0u) << simulation.first_mismatch->what;
+}
+
 }  // namespace
 }  // namespace pipegs
