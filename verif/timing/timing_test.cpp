@@ -278,9 +278,9 @@ TEST(Timing, SteppingEveryUnitInEveryCycleChangesNothing) {
     for (const bool tiny : {false, true}) {
       SimulateOptions options = design_point(one.name);
       if (tiny) {
-        for (const char* setting : {"alpha_lines=64", "fetch_lines=4", "nearest_nodes=16"})
+        for (const char* setting : {"alpha_lines=64", "fetch_lines=4", "records=16"})
           config_set(options.config, setting);
-        config_set(options.config, "records=16");
+        options.config.nearest_nodes = options.config.has_walks() ? 128 : 16;
       }
       const TimedFrame frame(own_view(), options, 2);
       const TimingResult woken = frame.run(), always = frame.run({.every_cycle = true});

@@ -19,6 +19,7 @@
 localparam int unsigned PlaneBit = $clog2(PlanesW);
 localparam int unsigned WalkW = PlaceW - 2 * WindowW;
 (* hierconn *) logic \u_planes.inside_q ;
+(* hierconn *) logic [PlaceW-1:0] \u_planes.window_i ;
 (* anyconst *) logic [$clog2(Regions)-1:0] region;
 (* anyconst *) logic [PlaneBit-1:0]        bit_place;
 logic [1:0]         held_q, to_walk_q;  // sets filled and not released; not walked
@@ -111,7 +112,7 @@ always_ff @(posedge clk_i or negedge rst_ni) begin
   end
 end
 always_ff @(posedge clk_i) begin
-  if (window_valid && window_ready) asked_q <= fill_due ? place : place_q[refit_pick];
+  if (window_valid && window_ready) asked_q <= \u_planes.window_i ;
   rotation_before_q <= rotation_i;
   lens_before_q     <= lens_i;
   raster_before_q   <= raster_i;
@@ -148,6 +149,7 @@ always_comb begin
     assert (!(fill_due && refit_due) && !(asking_q && refitting));
     assert (!refit_due || (valid_q[refit_pick] && !set_judges_o[refit_pick] && open_i.known && refit_closed == said &&
                            {open_i.window_y, open_i.window_x} == place_q[refit_pick][2*WindowW-1:0]));
+    assert (!asking_q || asked_q == place);
     assert (!refitting || !valid_q[refit_set] || asked_q == place_q[refit_set]);
     assert (!refitting || !valid_q[refit_set] || !set_judges_o[refit_set]);
     // what is filled
