@@ -418,7 +418,7 @@ TEST(DopuNearest, KeepsItsTestsBusy) {
   RecordProperty("roofline_ratio", std::to_string(cycles / bound));
   std::printf("dopu_nearest: %.0f tests, %llu chunks, %.0f cycles, %.0f a window, roofline ratio %.3f\n", tests,
               static_cast<unsigned long long>(sum.chunks), cycles, cycles / windows, cycles / bound);
-  EXPECT_LT(cycles, 1.4 * bound);
+  if (expected.parts == 0) EXPECT_LT(cycles, 1.4 * bound);  // `sum` is of whole windows
 }
 
 }  // namespace
