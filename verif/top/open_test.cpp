@@ -157,7 +157,8 @@ TEST(Open, SaysACycleLaterWhatTheRusShow) {
   EXPECT_GT(some, 200u);
 }
 
-// What another RU says of a region is not heard: only its owner knows.
+// What another RU says of a region is not heard: only its owner knows. Of all regions it would leave none open, of which
+// nothing is said either.
 TEST(Open, OnlyTheOwnerClosesARegion) {
   const Config config = test_config();
   if (config.units == 1) GTEST_SKIP();
@@ -166,7 +167,7 @@ TEST(Open, OnlyTheOwnerClosesARegion) {
   bench.reset();
   for (int r = 0; r < config.regions(); ++r) {
     for (size_t u = 0; u < rus.done.size(); ++u)
-      if (ru_owner(config, r) != static_cast<int>(u)) rus.done[u].add(config, r);
+      if (region_x(config, r) < 2 && ru_owner(config, r) != static_cast<int>(u)) rus.done[u].add(config, r);
   }
   rus.write(bench.dut);
   bench.step();
