@@ -32,14 +32,15 @@ module dopu_load #(
   output logic              parts_o
 );
 
-  localparam int unsigned ChunkF = $clog2(pipegs_pkg::Chunk);
-  localparam int unsigned Places = pipegs_pkg::NearestNodes / 2;
-  localparam int unsigned PlaceW = $clog2(Places + 1);
-  localparam int unsigned AddedW = $clog2(pipegs_pkg::Group + 1);
-  localparam int unsigned SumW   = $clog2((Places + 1) * pipegs_pkg::Group + 1);  // chunks of a window
-  localparam int unsigned Word   = 4;
-  localparam int unsigned Words  = 2 ** LoadW / Word;
-  localparam int unsigned WordW  = $clog2(Words);
+  localparam int unsigned ChunkF   = $clog2(pipegs_pkg::Chunk);
+  localparam int unsigned Places   = pipegs_pkg::NearestNodes / 2;
+  localparam int unsigned PlaceW   = $clog2(Places + 1);
+  localparam int unsigned AddedW   = $clog2(pipegs_pkg::Group + 1);
+  localparam int unsigned SumW     = $clog2((Places + 1) * pipegs_pkg::Group + 1);  // chunks of a window
+  localparam int unsigned Word     = 4;
+  localparam int unsigned Words    = 2 ** LoadW / Word;
+  localparam int unsigned WordW    = $clog2(Words);
+  localparam int unsigned WordBits = Word * SumW;
 
   // --- the verdict ---------------------------------------------------------------------------------------------------
   logic [SumW-1:0]         sum_q;     // chunks
@@ -80,15 +81,14 @@ module dopu_load #(
   end
 
   // --- groups by depth: in cycle 1 the words are read, in cycle 2 they are written -----------------------------------
-  logic               come1_q, come2_q;
-  logic [AddedW-1:0]  chunks1_q, chunks2_q;
-  logic [LoadW:0]     behind;                // the bucket behind the group's last one, beyond all when that is the last
-  logic [LoadW-1:0]   bucket1_q [2];         // 0: where it begins, 1: behind
-  logic               within1_q, within2_q;  // there is one behind
-  logic [WordW:0]     word_q;                // the next one that is read for the verdict
-  logic               reads, read1_q, read2_q;
-  typedef struct packed {logic [Word-1:0][SumW-1:0] of;} word_t;
-  logic [Word*SumW-1:0] words [2];           // in cycle 2
+  logic                come1_q, come2_q;
+  logic [AddedW-1:0]   chunks1_q, chunks2_q;
+  logic [LoadW:0]      behind;               // the bucket behind the group's last one, beyond all when that is the last
+  logic [LoadW-1:0]    bucket1_q [2];        // 0: where it begins, 1: behind
+  logic                within1_q, within2_q;  // there is one behind
+  logic [WordW:0]      word_q;               // the next one that is read for the verdict
+  logic                reads, read1_q, read2_q;
+  logic [WordBits-1:0] words [2];           // in cycle 2
 
   assign behind = {1'b0, group_far_i > group_near_i ? group_far_i : group_near_i} + 1'b1;
   assign reads  = reading_q && !word_q[WordW];
@@ -119,14 +119,14 @@ module dopu_load #(
     logic [WordW-1:0]        at, at_q;
     logic [$clog2(Word)-1:0] place_q;
     logic                    write, again_q;  // again: what is read is the word that is just written
-    word_t                   read, held, sums, sums_q;
+    logic [WordBits-1:0]     read, held, sums, sums_q;
 
     assign at    = reads ? word_q[WordW-1:0] : bucket1_q[k][LoadW-1:$clog2(Word)];
     assign write = come2_q && !judged_o && (k == 0 || within2_q);
     assign held  = again_q ? sums_q : some_q[at_q] ? read : '0;
     always_comb begin
       sums = held;
-      sums.of[place_q] = held.of[place_q] + SumW'(chunks2_q);
+      sums[place_q*SumW +: SumW] = held[place_q*SumW +: SumW] + SumW'(chunks2_q);
     end
     assign words[k] = held;
     always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -141,7 +141,7 @@ module dopu_load #(
       if (write) sums_q <= sums;
     end
 
-    pipegs_sram #(.DataW(Word * SumW), .Depth(Words)) u_sums (
+    pipegs_sram #(.DataW(WordBits), .Depth(Words)) u_sums (
       .clk_i,
       .write_i(write),
       .waddr_i(at_q),
