@@ -5,9 +5,9 @@
 // Idea    What must wait at once lies at about one depth. A group that passes counts, with as many Gaussians to a chunk
 //         as it has room for, in every bucket of depth from its nearest to its farthest corner. What begins in a bucket
 //         and what has ended before it are added up in two SRAMs, a word for Word buckets, with a bit that says whether
-//         it was written. When all groups have come, and are more than most_i together, the words are read one after the
-//         other: too much is a bucket that holds more than most_i, or more groups than half of the places in which they
-//         wait. The rule stands here alone: whatever is judged gives the same pixels.
+//         it was written. When all groups have come, and are more than most_i together, word after word is read. Too
+//         much is a bucket that holds more than most_i, or more groups than half of the places in which they wait. The
+//         rule stands here alone: whatever is judged gives the same pixels.
 // Stream  judges_o: there are trials at all. group: one that passes; counted_i: all of the window have come, none in
 //         the same cycle or the one before. judged_o ends the trial, in parts_o how; the next one begins with a group.
 // Pace    A group per cycle; judged at once where all together is not too much, else after up to Words + 3 cycles.
