@@ -22,6 +22,7 @@ class Intersect {
   template <class Trace>
   bool step(Cycle now, const Beat* in, Output<Beat>& out, const Trace& trace) {
     const bool empty = !placing_ && !walking_ && tested_ == 0, out_free = !out.valid;
+    const bool hold = tested_ > 0 && now >= tests_[0].at && !out_free;
     if (tested_ > 0 && now >= tests_[0].at && out_free) {
       const Test test = tests_[0];
       tests_[0] = tests_[1];
@@ -31,7 +32,7 @@ class Intersect {
       if (tested_ > 0) tests_[0].at += now - test.at;
       if (walking_) walk_last_ += std::max<Cycle>(0, now - std::max(test.at, walk_first_));
     }
-    if (walking_ && now >= walk_last_ && tested_ < (ahead_ ? 2 : 1)) {
+    if (walking_ && !hold && now >= walk_last_ && tested_ < (ahead_ ? 2 : 1)) {
       walking_ = false;
       tests_[static_cast<size_t>(tested_++)] = {walk_, now + kTest};
     }

@@ -106,12 +106,12 @@ class Pu {
   Queue<Beat, Config::reach_depth(), 12> reach_;
   bool reach_offered_ = false;  // its head is what pu_deal sees
 
-  Phases phases_;  // project to covariance, at a pace of four cycles to conic
+  Phases phases_;        // project to covariance, at a pace of four cycles to conic
   Phases coeff_phases_;  // coeff, at a pace of four cycles
   SlotStage conic_, coeff_;
   bool conic_shown_ = false, coeff_shown_ = false;  // at a pace of four cycles: out is what the phases show
-  Expand expand_;  // only with lists
-  Parts parts_;    // only with parts
+  Expand expand_;                                   // only with lists
+  Parts parts_;                                     // only with parts
 
   SramQueue<Beat, Config::walk_depth()> walks_;  // before pu_intersect
   Intersect intersect_;
