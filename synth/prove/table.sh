@@ -327,8 +327,8 @@ mutant "the output is claimed while a record waits in it" 's/assign out_free    
 mutant "a record is taken before the last phase is over" 's/phase_q == LastPhase \&\& step_o/phase_q >= LastPhase - 1/'
 
 # The same in four cycles, where younger records may be in their phases while one waits to claim.
-proof  pu_phases_four "pu_phases+" "Phases=4 Depth=6 Claim=6; Phases=4 Depth=5 Claim=5; Phases=4 Depth=2 Claim=2;
-       Phases=4 Depth=11 Claim=14"
+proof  pu_phases_four "pu_phases+" "Phases=4 Depth=6 Claim=6; Phases=4 Depth=5 Claim=5; Phases=4 Depth=3 Claim=3;
+       Phases=4 Depth=2 Claim=2; Phases=4 Depth=11 Claim=14"
 mutant "nothing stands still while a record waits to claim" 's/(assign step_o *= ).*/\11;/'
 mutant "the last phase but one claims" \
        "s/(Claim-Phases\)\*SlotW\+:SlotW\] == \{1'b1, LastPhase)/\1 - 1'b1/"

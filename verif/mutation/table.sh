@@ -202,9 +202,13 @@ mutant pu_deal "an end goes to one PU only" "s/(if \(take_end\) waiting_q <= )'1
 mutant pu_deal "the turn goes on while nothing is dealt" \
        "s/(else if \()take_data\) last_q/\1room != '0) last_q/"
 mutant pu_four_project "the reciprocal before is used" 's/inv_valid \? inv : inv_q/inv_q/' pu_shape_four
-mutant pu_four_orient "the entries 12 and 21 with w z for w x" 's/write\[3\] \? wx_q : wz_q/wz_q/' pu_shape_four
+mutant pu_four_orient "the entries 12 and 21 with w y for w x" 's/turn_q\[3\] \? x_late_q/turn_q[3] ? y_q/' \
+       pu_shape_four
+mutant pu_four_orient "|q'|^2 without w^2" "s/ \+ SumW'\(square1_q\)//" pu_shape_four
 mutant pu_four_jacobian "a column of the cross product without its second product" \
-       "s/ \+ SumW'\(product3_q\)//" pu_shape_four
+       's/ \+ product\[3\]//' pu_shape_four
+mutant pu_four_jacobian "the halves of a focal length overlap by a bit" 's/(product\[2\] <<< HalfW)/\1 - 1/' \
+       pu_shape_four
 mutant pu_four_factors "the distance of t_0 is that of t_1" 's/phase\[1\] \? e\[6\]/phase[1] ? e[7]/' pu_shape_four
 mutant pu_four_squares "u0 . u1 is twice as large" 's/\(whole - alone_q\) >>> 1/(whole - alone_q)/' pu_shape_four
 mutant pu_four_covariance "0.3 is added in place of c0" 's/first\[3\] \? c0_q : Small/Small/' pu_shape_four

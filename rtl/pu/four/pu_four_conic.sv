@@ -112,7 +112,7 @@ module pu_four_conic (
 
   // --- which variance is the larger one ----------------------------------------------------------------------------
   logic                      swap;
-  logic [MantissaW-1:0]      less_m, more_m;
+  logic [MantissaW-1:0]      less_m, more_m, less_m_q;  // less_m_q: in front of the multiplier there is no comparison
   logic signed [FloatEW-1:0] less_e, more_e;
   assign swap   = in_q.a_e > in_q.c_e || (in_q.a_e == in_q.c_e && in_q.a_m > in_q.c_m);
   assign more_m = swap ? in_q.a_m : in_q.c_m;
@@ -158,7 +158,7 @@ module pu_four_conic (
     left  = LeftW'($signed({1'b0, front_q.more_m}));
     right = RightW'($signed({1'b0, t}));
     (* parallel_case *) case (1'b1)
-      turn_q[0]: left = LeftW'($signed({1'b0, less_m}));
+      turn_q[0]: left = LeftW'($signed({1'b0, less_m_q}));
       turn_q[2]: begin  // slope
         left  = LeftW'(front_q.b_m);
         right = RightW'($signed({1'b0, inverse}));
@@ -173,6 +173,7 @@ module pu_four_conic (
     else if (step) for (int unsigned i = 0; i < 4; i += 1) turn_q[i] <= slots[4+:4] == 4'(8 + i);
   end
   always_ff @(posedge clk_i) if (step) begin
+    less_m_q   <= less_m;
     product_q  <= ProductW'(left) * ProductW'(right);
     constant_q <= (2 * MantissaW)'(turned) * (2 * MantissaW)'(K);
   end

@@ -5,7 +5,7 @@
 // Idea    v0_j = R'0j - tan_x R'2j,  v1_j = R'1j - tan_y R'2j,  n_j = R'0j tan_x + R'1j tan_y + R'2j, exact; then
 //         each value is normalised. Four multipliers: product, sum, normalise are the three register levels behind a
 //         phase:
-//           phase 0..2  v0_j, v1_j and n_j,  j = 0..2      3  gx = focal_x / z, gy
+//           phase 0..2  v0_j, v1_j and n_j,  j = 0..2      3  gx = focal_x / z, gy, from two halves of a focal length
 // Stream  oriented in, jacobian out, in order; an end beat passes with all other fields zero.
 // Pace    One record in four cycles, latency 7.
 // Model   cpp_model/pu/project/pu_jacobian.hpp
@@ -35,8 +35,9 @@ module pu_four_jacobian (
   localparam int unsigned FactorW   = pipegs_pkg::FactorW;
   localparam int unsigned RotationW = pipegs_pkg::RotationW;
   localparam int unsigned ExponentW = pipegs_pkg::WideEW;
-  localparam int unsigned LeftW     = TanW > FocalW + 1 ? TanW : FocalW + 1;      // a tangent or a focal length
-  localparam int unsigned RightW    = RotationW > MantissaW + 1 ? RotationW : MantissaW + 1;
+  localparam int unsigned HalfW     = (FocalW + 1) / 2;
+  localparam int unsigned LeftW     = TanW > MantissaW + 1 ? TanW : MantissaW + 1;    // a tangent or 1/z
+  localparam int unsigned RightW    = RotationW > HalfW + 1 ? RotationW : HalfW + 1;  // an entry or half a focal length
   localparam int unsigned ProductW  = LeftW + RightW;
   localparam int unsigned SumW      = TanF + 27 > FocalW + MantissaW + 1 ? TanF + 27 : FocalW + MantissaW + 1;
   localparam int unsigned ShiftW    = $clog2(SumW);
@@ -74,27 +75,28 @@ module pu_four_jacobian (
   assign jacobian_o = out_q;
 
   // --- phase: the operands of the four multipliers -------------------------------------------------------------------
-  localparam int unsigned NarrowW = TanW + RotationW;
   logic signed [RotationW-1:0] r0, r1, r2;  // column j
   logic signed [LeftW-1:0]     left0, left1;
-  logic signed [RightW-1:0]    right0, right1;
-  logic signed [ProductW-1:0]  product0_q, product1_q;
-  logic signed [NarrowW-1:0]   product2_q, product3_q;
+  logic signed [RightW-1:0]    right [4];
+  logic signed [ProductW-1:0]  product_q [4];
   always_comb begin
     (* parallel_case *) case (1'b1)
       phase[1]: begin r0 = in_q.r01; r1 = in_q.r11; r2 = in_q.r21; end
       phase[2]: begin r0 = in_q.r02; r1 = in_q.r12; r2 = in_q.r22; end
       default: begin r0 = in_q.r00; r1 = in_q.r10; r2 = in_q.r20; end
     endcase
-    left0  = phase[3] ? $signed(LeftW'(focal_x_i)) : LeftW'(in_q.tan_x);
-    left1  = phase[3] ? $signed(LeftW'(focal_y_i)) : LeftW'(in_q.tan_y);
-    right0 = phase[3] ? $signed(RightW'(in_q.inv_z_m)) : RightW'(r2);
-    right1 = right0;
+    left0    = phase[3] ? $signed(LeftW'(in_q.inv_z_m)) : LeftW'(in_q.tan_x);
+    left1    = phase[3] ? $signed(LeftW'(in_q.inv_z_m)) : LeftW'(in_q.tan_y);
+    right[0] = phase[3] ? $signed(RightW'(focal_x_i[HalfW-1:0])) : RightW'(r2);
+    right[1] = phase[3] ? $signed(RightW'(focal_y_i[HalfW-1:0])) : RightW'(r2);
+    right[2] = phase[3] ? $signed(RightW'(focal_x_i[FocalW-1:HalfW])) : RightW'(r0);
+    right[3] = phase[3] ? $signed(RightW'(focal_y_i[FocalW-1:HalfW])) : RightW'(r1);
   end
 
-  // --- one later: v = R' - product, n = R' + both products; fraction 18 + TanF -------------------------------------
+  // --- one later: v = R' - product, n = R' + both products, fraction 18 + TanF; a gain of its halves ----------------
+  logic                        gain;
   logic signed [RotationW-1:0] entry0, entry1, entry2;
-  logic signed [SumW-1:0]      sum0_q, sum1_q, sum2_q, wide0, wide1, whole0, whole1, whole2;
+  logic signed [SumW-1:0]      sum0_q, sum1_q, sum2_q, product [4], whole0, whole1, whole2;
   always_comb begin
     case (sum)
       3'd0:    begin entry0 = in_q.r00; entry1 = in_q.r10; entry2 = in_q.r20; end
@@ -102,10 +104,12 @@ module pu_four_jacobian (
       default: begin entry0 = in_q.r02; entry1 = in_q.r12; entry2 = in_q.r22; end
     endcase
   end
-  assign wide0  = SumW'(product0_q);
-  assign wide1  = SumW'(product1_q);
-  assign whole0 = SumW'(entry0) <<< TanF;
-  assign whole1 = SumW'(entry1) <<< TanF;
+  assign gain = sum == 3'd3;
+  for (genvar i = 0; i < 4; i += 1) begin : gen_product
+    assign product[i] = SumW'(product_q[i]);
+  end
+  assign whole0 = gain ? product[2] <<< HalfW : SumW'(entry0) <<< TanF;
+  assign whole1 = gain ? product[3] <<< HalfW : SumW'(entry1) <<< TanF;
   assign whole2 = SumW'(entry2) <<< TanF;
 
   // --- two later: normalise ----------------------------------------------------------------------------------------
@@ -142,13 +146,13 @@ module pu_four_jacobian (
   always_ff @(posedge clk_i) begin
     if (take) in_q <= oriented_i;
     if (step) begin
-      product0_q <= ProductW'(left0) * ProductW'(right0);
-      product1_q <= ProductW'(left1) * ProductW'(right1);
-      product2_q <= NarrowW'(in_q.tan_x) * NarrowW'(r0);
-      product3_q <= NarrowW'(in_q.tan_y) * NarrowW'(r1);
-      sum0_q     <= sum == 3'd3 ? wide0 : whole0 - wide0;
-      sum1_q     <= sum == 3'd3 ? wide1 : whole1 - wide1;
-      sum2_q     <= whole2 + SumW'(product2_q) + SumW'(product3_q);
+      product_q[0] <= ProductW'(left0) * ProductW'(right[0]);
+      product_q[1] <= ProductW'(left1) * ProductW'(right[1]);
+      product_q[2] <= ProductW'(left0) * ProductW'(right[2]);
+      product_q[3] <= ProductW'(left1) * ProductW'(right[3]);
+      sum0_q       <= whole0 + (product[0] ^ {SumW{!gain}}) + $signed(SumW'(!gain));
+      sum1_q       <= whole1 + (product[1] ^ {SumW{!gain}}) + $signed(SumW'(!gain));
+      sum2_q       <= whole2 + product[2] + product[3];
     end
     if (claim) begin
       gain_e_q   <= ExponentW'(in_q.inv_z_e) + ExponentW'(Cut) - ExponentW'(pipegs_pkg::FocalF);
@@ -182,7 +186,7 @@ module pu_four_jacobian (
   end
 
   // Valid is only looked at beside results.
-  wire unused_bits = &{1'b0, phase, sum_valid, product0_q, product1_q, normal0[Cut-1:0], normal1[Cut-1:0],
+  wire unused_bits = &{1'b0, phase, sum_valid, normal0[Cut-1:0], normal1[Cut-1:0],
                        normal2[Cut-1:0]};
 
 endmodule

@@ -2,18 +2,19 @@
 // pu_four_orient: pu_orient in four cycles: the Gaussian's axes in view space.
 //
 // Paper   Eq. 1: the rotation of Sigma = R S S^T R^T and the viewing transform W, as one rotation.
-// Idea    q' = camera_q (x) q, R' = matrix of q'. Four multipliers make q', two and a square make R':
-//           cycle       0    1    2    3    4    5    6    7    8
+// Idea    q' = camera_q (x) q, R' = matrix of q'. Four multipliers make q'; R' needs no product but squares:
+//           2 (x y + w z) = (x+y)^2 + (w+z)^2 - |q'|^2     2 (x y - w z) = (x+y)^2 - (w+z)^2 + |q'|^2 - 2 (xx + yy)
+//           cycle       0    1    2    3    4    5    6    7    8    9
 //           products    w    x    y    z
 //           rounded          w    x    y    z
-//           products                        wx   wy   xy   yz
-//                                                wz   xz
-//           squares                         xx   yy   zz
-//           entries                                   22   00   12
-//                                                          11   21
-//                                                          01 10 02 20
+//           squares                              xx   x+y  x+z  y+z
+//                                                ww   w+z  w+y  w+x
+//                                                yy   zz
+//           entries                                        22   11   00
+//                                                          10   02   21
+//                                                          01   20   12
 // Stream  projected in, oriented out, in order; an end beat passes with all other fields zero.
-// Pace    One record in four cycles, latency 10.
+// Pace    One record in four cycles, latency 11.
 // Model   cpp_model/pu/project/pu_orient.hpp
 
 module pu_four_orient (
@@ -99,19 +100,15 @@ module pu_four_orient (
   end
 
   // --- q': signs of the Hamilton product, rounded from s2.33 to s1.18 ----------------------------------------------
-  logic signed [SumW-1:0] p0, p1, p2, p3, hamilton;
-  assign p0 = SumW'(product_q[0]);
-  assign p1 = SumW'(product_q[1]);
-  assign p2 = SumW'(product_q[2]);
-  assign p3 = SumW'(product_q[3]);
-  always_comb begin
-    case (sum[1:0])
-      2'd0:    hamilton = p0 - p1 - p2 - p3;
-      2'd1:    hamilton = p0 + p1 + p2 - p3;
-      2'd2:    hamilton = p0 - p1 + p2 + p3;
-      default: hamilton = p0 + p1 - p2 + p3;
-    endcase
+  // - p is ~p + 1; one product is negative, of w three are.
+  logic signed [SumW-1:0] hamilton, signed_product [4];
+  logic        [3:0]      minus;
+  assign minus = {sum[1:0] < 2'd2, sum[1:0] == 2'd0 || sum[1:0] == 2'd3, !sum[0], 1'b0};
+  for (genvar i = 0; i < 4; i += 1) begin : gen_sign
+    assign signed_product[i] = SumW'(product_q[i]) ^ {SumW{minus[i]}};
   end
+  assign hamilton = signed_product[0] + signed_product[1] + signed_product[2] + signed_product[3] +
+                    (sum[1:0] == 2'd0 ? SumW'(3) : SumW'(1));
 
   // Rounded to nearest, then saturated to s1.18.
   function automatic logic signed [SumW-1:0] round(input logic signed [SumW-1:0] value, input int unsigned shift);
@@ -124,50 +121,56 @@ module pu_four_orient (
     .out_o(component)
   );
 
-  // --- R': products in cycles 4 to 7 -------------------------------------------------------------------------------
+  // --- R': squares of four numbers and of six sums, chosen in cycles 4 to 7, made in 5 to 8 -------------------------
+  localparam int unsigned BothW   = RotationW + 1;
+  localparam int unsigned SquareW = 2 * BothW - 1;
   logic [3:0]                  turn_q;  // the cycles 4 to 7
-  logic signed [RotationW-1:0] left0, right0, left1, right1, squared;
-  logic signed [ProductW-1:0]  product0_q, product1_q, wx_q, wy_q, wz_q;
-  logic [ProductW-2:0]         square, square_q, xx_q, yy_q;
+  logic signed [RotationW-1:0] x_or_y, y_or_z, with_xy, with_w, w_late_q, x_late_q;  // late: beside the next one's w, x
+  logic signed [RotationW-1:0] base2_q;
+  logic signed [BothW-1:0]     base0_q, base1_q;
+  logic [SquareW-1:0]          square0, square1, square0_q, square1_q;
+  logic [2*RotationW-2:0]      square2, square2_q, xx_q, yy_q;  // square2_q: yy in cycle 6, zz in 7 to 9
+  logic signed [SumW-1:0]      three_q;                         // ww + xx + yy
   always_comb begin
-    left0  = w_q;
-    right0 = x_q;
-    (* parallel_case *) case (1'b1)
-      turn_q[1]: right0 = y_q;
-      turn_q[2]: begin left0 = x_q; right0 = y_q; end
-      turn_q[3]: begin left0 = y_q; right0 = z_q; end
-      default: ;
-    endcase
-    left1   = turn_q[1] ? w_q : x_q;
-    right1  = z_q;
-    squared = turn_q[1] ? y_q : turn_q[2] ? z_q : x_q;
+    y_or_z  = turn_q[0] ? y_q : z_q;
+    x_or_y  = turn_q[3] ? y_q : x_q;
+    with_xy = turn_q[1] ? y_q : turn_q[0] ? '0 : z_q;
+    with_w  = turn_q[1] ? z_q : turn_q[2] ? y_q : turn_q[3] ? x_late_q : '0;
   end
-  pipegs_square #(.DataW(RotationW)) u_square (
-    .in_i(squared),
-    .out_o(square)
+  pipegs_square #(.DataW(BothW)) u_square0 (
+    .in_i(base0_q),
+    .out_o(square0)
+  );
+  pipegs_square #(.DataW(BothW)) u_square1 (
+    .in_i(base1_q),
+    .out_o(square1)
+  );
+  pipegs_square #(.DataW(RotationW)) u_square2 (
+    .in_i(base2_q),
+    .out_o(square2)
   );
 
-  // --- a cycle later: the diagonal, and the pairs around it ----------------------------------------------------------
+  // --- in cycles 7 to 9: a pair of entries and the diagonal beside it -----------------------------------------------
   localparam logic signed [SumW-1:0] One = SumW'(1) <<< (2 * RotationF);
-  logic [3:0]                  write;    // the cycles 5 to 8
-  logic signed [SumW-1:0]      twice [6];
-  logic signed [RotationW-1:0] entry [6];
-  logic signed [ProductW-1:0]  beside;   // of the first pair
-  logic [ProductW-2:0]         above;    // of the diagonal
-  for (genvar i = 0; i < 4; i += 1) begin : gen_write
-    assign write[i] = slots[4*Depth-4+:4] == 4'(8 + i);
+  logic [2:0]                  write;    // the cycles 7 to 9
+  logic [2*RotationW-2:0]      first, second;
+  logic signed [SumW-1:0]      sum0, sum1, all, two, twice [3];
+  logic signed [RotationW-1:0] entry [3];
+  for (genvar i = 0; i < 3; i += 1) begin : gen_write
+    assign write[i] = slots[4*Depth-4+:4] == 4'(9 + i);
   end
-  assign beside = write[3] ? wx_q : wz_q;
-  assign above  = write[1] ? xx_q : yy_q;
   always_comb begin
-    twice[0] = One - ((SumW'(above) + SumW'(square_q)) <<< 1);  // 22, 00
-    twice[1] = One - ((SumW'(xx_q) + SumW'(square_q)) <<< 1);                    // 11
-    twice[2] = (SumW'(product0_q) - SumW'(beside)) <<< 1;                        // 01, 12
-    twice[3] = (SumW'(product0_q) + SumW'(beside)) <<< 1;                        // 10, 21
-    twice[4] = (SumW'(product1_q) + SumW'(wy_q)) <<< 1;                          // 02
-    twice[5] = (SumW'(product1_q) - SumW'(wy_q)) <<< 1;                          // 20
+    sum0     = SumW'(square0_q);
+    sum1     = SumW'(square1_q);
+    all      = three_q + SumW'(square2_q);
+    first    = write[2] ? yy_q : xx_q;
+    second   = write[0] ? yy_q : square2_q;
+    two      = (SumW'(first) + SumW'(second)) <<< 1;
+    twice[0] = One - two;               // 22, 11, 00
+    twice[1] = sum0 + sum1 - all;       // 10, 02, 21
+    twice[2] = sum0 - sum1 + all - two; // 01, 20, 12
   end
-  for (genvar i = 0; i < 6; i += 1) begin : gen_entry
+  for (genvar i = 0; i < 3; i += 1) begin : gen_entry
     pipegs_saturate #(.InW(SumW), .OutW(RotationW)) u_entry (
       .in_i(round(twice[i], RotationF)),
       .out_o(entry[i])
@@ -187,11 +190,18 @@ module pu_four_orient (
       if (sum == 3'd1) x_q <= component;
       if (sum == 3'd2) y_q <= component;
       if (sum == 3'd3) z_q <= component;
-      product0_q <= ProductW'(left0) * ProductW'(right0);
-      product1_q <= ProductW'(left1) * ProductW'(right1);
-      square_q   <= square;
-      if (write[0]) {wx_q, xx_q} <= {product0_q, square_q};
-      if (write[1]) {wy_q, wz_q, yy_q} <= {product0_q, product1_q, square_q};
+      if (slots[8+:4] == 4'd8) w_late_q <= w_q;
+      if (turn_q[2]) x_late_q <= x_q;
+      base0_q   <= BothW'(x_or_y) + BothW'(with_xy);
+      base1_q   <= BothW'(w_late_q) + BothW'(with_w);
+      base2_q   <= y_or_z;
+      square0_q <= square0;
+      square1_q <= square1;
+      square2_q <= square2;
+      if (slots[4*Depth-4+:4] == 4'd8) begin  // cycle 6
+        {xx_q, yy_q} <= {square0_q[2*RotationW-2:0], square2_q};
+        three_q      <= SumW'(square0_q) + SumW'(square1_q) + SumW'(square2_q);
+      end
     end
     if (claim) begin
       out_q      <= '0;
@@ -207,14 +217,13 @@ module pu_four_orient (
       end
     end
     if (step && out_q.kind == pipegs_pkg::KindData) begin
-      if (write[1]) out_q.r22 <= entry[0];
-      if (write[2]) {out_q.r00, out_q.r11} <= {entry[0], entry[1]};
-      if (write[2]) {out_q.r01, out_q.r10, out_q.r02, out_q.r20} <= {entry[2], entry[3], entry[4], entry[5]};
-      if (write[3]) {out_q.r12, out_q.r21} <= {entry[2], entry[3]};
+      if (write[0]) {out_q.r22, out_q.r10, out_q.r01} <= {entry[0], entry[1], entry[2]};
+      if (write[1]) {out_q.r11, out_q.r02, out_q.r20} <= {entry[0], entry[1], entry[2]};
+      if (write[2]) {out_q.r00, out_q.r21, out_q.r12} <= {entry[0], entry[1], entry[2]};
     end
   end
 
   // The phase is only looked at beside products that count.
-  wire unused_bits = &{1'b0, phase, turn_q, slots, behind_q};
+  wire unused_bits = &{1'b0, phase, turn_q, slots, behind_q, square0_q};
 
 endmodule

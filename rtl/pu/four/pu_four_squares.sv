@@ -4,9 +4,9 @@
 // Paper   Eq. 1: Sigma' = U U^T.
 // Idea    Three squares in a cycle and no product: 2 u0 . u1 = |u0 + u1|^2 - |u0|^2 - |u1|^2, exact as all sums are.
 //           phase 0  a = |u0|^2     1  c = |u1|^2     2  b = u0 . u1     3  d = |t|^2
-//         Squares, sum, normalise are the register levels behind a phase, each there once.
+//         Squares, sum, mantissa, exponent are the register levels behind a phase, each there once.
 // Stream  factors in, squares out, in order; an end beat passes with all other fields zero.
-// Pace    One record in four cycles, latency 7.
+// Pace    One record in four cycles, latency 8.
 // Model   cpp_model/pu/project/pu_squares.hpp
 
 module pu_four_squares (
@@ -36,10 +36,11 @@ module pu_four_squares (
 
   logic        take, claim, step;
   logic [3:0]  phase;  // whose operands are chosen now
-  logic [7:0]  slots;
-  logic        sum_valid, last_valid;
-  logic [2:0]  sum, last;  // phase of the squares, of the sum
-  assign {last_valid, last, sum_valid, sum} = slots;
+  logic [11:0] slots;
+  logic        last_valid;
+  logic [2:0]  sum, last;  // phase of the squares, of what is normalised
+  assign sum                = slots[2:0];
+  assign {last_valid, last} = slots[11:8];
 
   pu_phases #(
     .Phases(4),
@@ -100,37 +101,45 @@ module pu_four_squares (
   // --- their sum, then normalised ------------------------------------------------------------------------------------
   logic        [WholeW-1:0]    whole, alone_q;  // alone: |u0|^2 + |u1|^2
   logic signed [SumW-1:0]      sum_q, normal;
-  logic        [ShiftW-1:0]    shift;
-  logic signed [ExponentW-1:0] less;
-  logic signed [FactorW-1:0]   m;
+  logic        [ShiftW-1:0]    shift, shift_q;
+  logic signed [ExponentW-1:0] row_e, other_e, gain_e, e_q [3], e;  // e_q: of the squares, the sum, the mantissa
+  logic signed [FactorW-1:0]   m_q;
   assign whole = WholeW'(square_q[0]) + WholeW'(square_q[1]) + WholeW'(square_q[2]);
   pipegs_normalize #(.DataW(SumW)) u_normalize (
     .in_i(sum_q),
     .out_o(normal),
     .shift_o(shift)
   );
-  assign m    = normal[SumW-1:Cut];
-  assign less = $signed(ExponentW'(shift));
+  always_comb begin
+    (* parallel_case *) case (1'b1)
+      phase[0]: begin row_e = in_q.u0_e; other_e = in_q.u0_e; gain_e = in_q.gxx_e; end
+      phase[1]: begin row_e = in_q.u1_e; other_e = in_q.u1_e; gain_e = in_q.gyy_e; end
+      phase[2]: begin row_e = in_q.u0_e; other_e = in_q.u1_e; gain_e = in_q.gxy_e; end
+      default: begin row_e = in_q.t_e; other_e = in_q.t_e; gain_e = in_q.gg_e; end
+    endcase
+  end
+  assign e = e_q[2] - $signed(ExponentW'(shift_q));
 
   logic data;  // a Gaussian claims the output
   assign data = claim && in_q.kind == pipegs_pkg::KindData;
   always_ff @(posedge clk_i) begin
     if (take) in_q <= factors_i;
     if (step) begin
-      alone_q <= sum == 3'd0 ? whole : alone_q + whole;
-      sum_q   <= sum == 3'd2 ? SumW'($signed(whole - alone_q) >>> 1) : SumW'(whole);
+      alone_q  <= sum == 3'd0 ? whole : alone_q + whole;
+      e_q[0]   <= row_e + other_e + gain_e + ExponentW'(Cut);
+      e_q[1]   <= e_q[0];
+      e_q[2]   <= e_q[1];
+      m_q      <= normal[SumW-1:Cut];
+      shift_q  <= shift;
+      sum_q    <= sum == 3'd2 ? SumW'($signed(whole - alone_q) >>> 1) : SumW'(whole);
     end
     if (claim) begin
       out_q      <= '0;
       out_q.kind <= in_q.kind;
     end
     if (data) begin
-      // The shifts of c, b and d are subtracted below.
-      out_q.a_m   <= m[MantissaW-1:0];
-      out_q.a_e   <= (in_q.u0_e <<< 1) + in_q.gxx_e + ExponentW'(Cut) - less;
-      out_q.c_e   <= (in_q.u1_e <<< 1) + in_q.gyy_e + ExponentW'(Cut);
-      out_q.d_e   <= (in_q.t_e <<< 1) + in_q.gg_e + ExponentW'(Cut);
-      out_q.b_e   <= in_q.u0_e + in_q.u1_e + in_q.gxy_e + ExponentW'(Cut);
+      out_q.a_m   <= m_q[MantissaW-1:0];
+      out_q.a_e   <= e;
       out_q.gxx_m <= in_q.gxx_m;
       out_q.gyy_m <= in_q.gyy_m;
       out_q.gxy_m <= in_q.gxy_m;
@@ -138,15 +147,15 @@ module pu_four_squares (
     end
     if (step && last_valid && out_q.kind == pipegs_pkg::KindData) begin
       case (last)
-        3'd1: begin out_q.c_m <= m[MantissaW-1:0]; out_q.c_e <= out_q.c_e - less; end
-        3'd2: begin out_q.b_m <= m;                out_q.b_e <= out_q.b_e - less; end
-        3'd3: begin out_q.d_m <= m[MantissaW-1:0]; out_q.d_e <= out_q.d_e - less; end
+        3'd1: {out_q.c_m, out_q.c_e} <= {m_q[MantissaW-1:0], e};
+        3'd2: {out_q.b_m, out_q.b_e} <= {m_q, e};
+        3'd3: {out_q.d_m, out_q.d_e} <= {m_q[MantissaW-1:0], e};
         default: ;  // a goes with the claim
       endcase
     end
   end
 
   // Valid is only looked at beside results; bits below a mantissa are cut.
-  wire unused_bits = &{1'b0, phase, sum_valid, normal[Cut-1:0], whole};
+  wire unused_bits = &{1'b0, phase, slots, normal[Cut-1:0], whole};
 
 endmodule
