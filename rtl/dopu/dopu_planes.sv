@@ -5,8 +5,8 @@
 // Idea    A side's world-space normal is n = focal * side row - edge * forward row, edge = pixel - centre -+ 2. One
 //         multiplier makes the six products of a side one after another, then n and reach are floored to TestW bits
 //         with one unit.
-// Stream  window: column, row and walk in, and what of it is closed. planes: near, left, right, top, bottom out, near in
-//         the low bits.
+// Stream  window: column, row and walk in, and what of it is closed. planes: near, left, right, top, bottom out, near
+//         in the low bits.
 // Pace    One window per 4 * 13 cycles, hidden behind the walk of the window before.
 // Model   cpp_model/dopu/dopu_planes.hpp
 

@@ -445,7 +445,8 @@ proof  dopu_windows "dopu_windows+ free_planes pipegs_window_walk pipegs_closed"
   %ClosedW=1 %ClosedBits=4 %OpenBits=27"
 mutant "a set is overwritten before it is released" 's/planes_ready = !valid_q\[fill_q\]/planes_ready = 1/'
 mutant "a release clears the set filled next instead of the oldest" 's/valid_q\[oldest_q\] <= /valid_q[fill_q] <= /'
-mutant "a set is called done for the window that it held before" 's/(set_done_o += \(done_q \| given_q\)) \& valid_q/\1/'
+mutant "a set is called done for the window that it held before" \
+       's/(set_done_o += \(done_q \| given_q\)) \& valid_q/\1/'
 mutant "a part of a window is left out" "s/2'd2 : part_q/2'd3 : part_q/"
 mutant "a window stays in parts" 's/\(parts_q && !next\)/parts_q/'
 mutant "a set is filled while another one is on trial" 's/ && !judges_q;/;/'

@@ -157,8 +157,8 @@ TEST(Open, SaysACycleLaterWhatTheRusShow) {
   EXPECT_GT(some, 200u);
 }
 
-// What another RU says of a region is not heard: only its owner knows. Of all regions it would leave none open, of which
-// nothing is said either.
+// What another RU says of a region is not heard: only its owner knows. Of all regions at once it would leave none open,
+// and then nothing is said either.
 TEST(Open, OnlyTheOwnerClosesARegion) {
   const Config config = test_config();
   if (config.units == 1) GTEST_SKIP();
