@@ -302,7 +302,7 @@ package pipegs_pkg;
   localparam int unsigned NearestLines   = 64;  // lines of the node tables in flight or waiting, each level (order 2)
   // chunks that wait, from which on no group is opened without need (order 2)
   localparam int unsigned NearestAhead   = 128;
-  localparam int unsigned WindowMarks    = 63;  // most watermarks of a window, 2^n - 1
+  localparam int unsigned WindowMarks    = 127;  // most watermarks of a window, 2^n - 1
   localparam int unsigned ReachDepth     = 16;  // Gaussians in pu_reach: those whose test is under way (tight_cull)
   // Gaussians that pu_deal has dealt to a PU: few, they cannot go to another one
   localparam int unsigned VisibleDepth   = 4;
@@ -329,7 +329,7 @@ package pipegs_pkg;
   localparam int unsigned RuHalves       = 4;  // halves of regions that wait before a group of lanes (quads)
   localparam int unsigned RuDrained      = 2;  // words of finished pixels that wait for memory in an RU (quads)
   localparam int unsigned NodeLines      = 64;  // lines of the node tables in flight or waiting, each level
-  localparam int unsigned SuMarks        = 128;  // watermarks of two windows, or ends of two layers, that an SU keeps
+  localparam int unsigned SuMarks        = 256;  // watermarks of two windows, or ends of two layers, that an SU keeps
   localparam int unsigned SuWays         = 16;  // sorted runs in external memory that an SU merges at once (overflow)
   localparam int unsigned SuWayLines     = 8;  // lines of each of them that its pool holds, eight slots each
   localparam int unsigned SuRunKeys      = 6;  // keys of a run in a line, each with the number of its record

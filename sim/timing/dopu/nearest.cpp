@@ -22,7 +22,7 @@ struct Nearest::Said {
 Nearest::Nearest(const TimingTrace& trace, const Config& config)
     : trace_(trace),
       mark_chunks_(static_cast<uint32_t>(config.mark_chunks)),
-      since_most_((uint32_t{1} << (clog2(config.mark_chunks + 1) + (Config::window_marks() >> 3))) - 1),
+      since_most_((uint32_t{1} << (clog2(config.mark_chunks + 1) + 7)) - 1),
       near_step_(dopu_depth_near(trace.config, trace.frame)),
       mark_shift_(config.depth_w - config.step_w()),
       load_(trace.config, trace.frame.walk_most),
@@ -120,7 +120,7 @@ Nearest::Said Nearest::look(const DopuCycle& cycle, const DopuSets& sets) {
   is.lowest = opened ? none_ : unopened;
   if (has_first) is.lowest = std::min(is.lowest, first_send);
   is.end_due = idle_send && opened && !has_first;
-  is.mark_due = idle_send && !is.done && !is.end_due && since_ >= mark_chunks_ << (marks_ >> 3) &&
+  is.mark_due = idle_send && !is.done && !is.end_due && since_ >= mark_chunks_ << 8 * marks_ / (Config::window_marks() + 1) &&
                 marks_ != Config::window_marks() && is.lowest > mark_;
   const bool direct_chunk = is.full && idle && is.live[2] && set2 == send_set_;
   const bool chunk_due = first_send == is.lowest || (direct_chunk && first_send <= held_[2].front().node.bucket);

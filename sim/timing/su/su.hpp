@@ -210,7 +210,7 @@ class Su {
   Collect collect_ = kCollect;
   uint8_t set_ = 0;
   std::array<bool, 2> closed_{};
-  SramQueue<Mark, 128> marks_;
+  SramQueue<Mark, 2 * (Config::window_marks() + 1)> marks_;
 
   // su_buckets
   Operation operation_ = kNone;
