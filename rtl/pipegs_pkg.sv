@@ -335,7 +335,7 @@ package pipegs_pkg;
   localparam int unsigned SuRunKeys      = 6;  // keys of a run in a line, each with the number of its record
   // records of a set that spilled that return to the pool of an SU: no more may be left
   localparam int unsigned SuRefill       = 704;
-  localparam int unsigned RuQueue        = 64;  // Gaussians before an RU: evens out which one has more to do
+  localparam int unsigned RuQueue        = 128;  // Gaussians before an RU: evens out which one has more to do
   localparam int unsigned RuRecords      = 40;  // Gaussians in an RU whose lines of alphas are on their way
 
   // What a beat of a stream is.
