@@ -2,8 +2,8 @@
 // state_check.hpp: holds what each unit says that it does against what stands at its borders, cycle by cycle.
 //
 // Idea    A unit's state comes from its inside, but much of it shows outside, too. What the borders leave open:
-//           DOPU    busy in the cycle before a chunk shows at a PU; not starved while one does nor, nearest first, while
-//                   lines are to come; waits for memory only while they are; starved without a frame
+//           DOPU    busy in the cycle before a chunk shows at a PU; not starved while one does, or, nearest first,
+//                   while lines are to come; waits for memory only while they are; starved without a frame
 //           PU      starved when nothing is inside, or blocked by the end of a layer that waits for older ones; blocked
 //                   while the SU takes nothing; waits for memory when all that it has is on its way; busy, or blocked,
 //                   as long as what the cull lets through needs at least

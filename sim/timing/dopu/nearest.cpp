@@ -120,7 +120,8 @@ Nearest::Said Nearest::look(const DopuCycle& cycle, const DopuSets& sets) {
   is.lowest = opened ? none_ : unopened;
   if (has_first) is.lowest = std::min(is.lowest, first_send);
   is.end_due = idle_send && opened && !has_first;
-  is.mark_due = idle_send && !is.done && !is.end_due && since_ >= mark_chunks_ << 8 * marks_ / (Config::window_marks() + 1) &&
+  is.mark_due = idle_send && !is.done && !is.end_due &&
+                since_ >= mark_chunks_ << 8 * marks_ / (Config::window_marks() + 1) &&
                 marks_ != Config::window_marks() && is.lowest > mark_;
   const bool direct_chunk = is.full && idle && is.live[2] && set2 == send_set_;
   const bool chunk_due = first_send == is.lowest || (direct_chunk && first_send <= held_[2].front().node.bucket);
