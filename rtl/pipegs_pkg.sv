@@ -3,13 +3,13 @@
 // cpp_model/package_sv.cpp from config.def, records.def and control/registers.def of cpp_model (`make package`):
 // change those, never this file.
 //
-// Configuration: fronts=2,window=128,group=16,late=1,order=2,quads=1,pos_w=18,base_w=14,mantissa_w=22,coeff_f=24,tight_cull=1,tight_boxes=1,tests=2,alpha_w=10,pixel_w=32,records=1408,bucket_bits=6,nearest_nodes=1024,mark_chunks=7,taps=0.   Model  cpp_model/config.hpp, cpp_model/records.hpp
+// Configuration: fronts=1,window=128,group=16,late=1,order=2,quads=1,pos_w=18,base_w=14,mantissa_w=22,coeff_f=24,tight_cull=1,tight_boxes=1,occlusion=1,tests=2,pace=4,alpha_w=10,pixel_w=32,records=1408,bucket_bits=6,nearest_nodes=1024,mark_chunks=7,taps=0.   Model  cpp_model/config.hpp, cpp_model/records.hpp
 // Fixed point is written sI.F / uI.F; the first field of a record lies in its low bits.
 
 package pipegs_pkg;
 
   localparam int unsigned Units          = 4;  // PUs, SUs and RUs (1, 2 or 4), Table 2
-  localparam int unsigned Fronts         = 2;  // PUs that fetch and cull, at most all; every PU projects (1, 2 or 4)
+  localparam int unsigned Fronts         = 1;  // PUs that fetch and cull, at most all; every PU projects (1, 2 or 4)
   localparam int unsigned PixelsPerRow   = 2;  // pixels that one Row Unit computes in a cycle
   // side of a window (16, 32, 64 or 128); regions are 8x8 pixels, a window of 128 has four parts of 64
   localparam int unsigned Window         = 128;
@@ -58,9 +58,9 @@ package pipegs_pkg;
   localparam int unsigned TightBoxes     = 1;
   // 1: what lies beside a rectangle around the regions still open is neither fetched nor projected; 0: it is, until the
   // whole walk is closed (1 needs order = 2)
-  localparam int unsigned Occlusion      = 0;
+  localparam int unsigned Occlusion      = 1;
   localparam int unsigned Tests          = 2;  // regions side by side that pu_intersect tests in a cycle
-  localparam int unsigned Pace           = 8;  // for which a stage of the projection keeps a Gaussian: 8 or 4
+  localparam int unsigned Pace           = 4;  // for which a stage of the projection keeps a Gaussian: 8 or 4
   localparam int unsigned ExpIndexW      = 6;  // index of the exp2 table
   // 1: linear interpolation between the entries of the exp2 table; 0: the entry alone, no multiplier
   localparam int unsigned ExpLinear      = 1;
@@ -109,19 +109,19 @@ package pipegs_pkg;
   localparam bit HasStores               = 1'b0;  // alpha stores lie between the PUs and the RUs
   localparam bit Oriented                = 1'b0;  // regions are those that the oriented box touches
   localparam bit SpillsAlphas            = 1'b1;  // lines of alphas may lie in external memory
-  localparam int unsigned PuFronts       = 2;  // PUs that fetch and cull
-  localparam int unsigned GeometryJobs   = 16;  // chunks whose lines such a PU has asked for
+  localparam int unsigned PuFronts       = 1;  // PUs that fetch and cull
+  localparam int unsigned GeometryJobs   = 32;  // chunks whose lines such a PU has asked for
   // lines of geometry in flight or waiting in it: as many in all, whatever their number
-  localparam int unsigned GeometryLines  = 128;
+  localparam int unsigned GeometryLines  = 256;
   // Gaussians from where pu_project gives a payload to pu_conic's output: one place less than all; two are in pu_conic,
   // which is no stage of the table in eight cycles
-  localparam int unsigned ShapePlaces    = 13;
+  localparam int unsigned ShapePlaces    = 19;
   // Gaussians from where pu_project gives a centre to where pu_covariance takes it: one at the output of the first,
   // none at that of the last
-  localparam int unsigned CenterDepth    = 10;
+  localparam int unsigned CenterDepth    = 12;
   // Gaussians from where a payload is known to where pu_intersect walks them: the places before, those in pu_coeff,
   // queue, with a pace of 4 one that is placed
-  localparam int unsigned PayloadDepth   = 19;
+  localparam int unsigned PayloadDepth   = 21;
   localparam int unsigned PartsX         = 2;  // parts along a window's side
   // parts of a window, numbered row by row: what masks, coefficients and powers are made for
   localparam int unsigned Parts          = 4;
@@ -511,7 +511,7 @@ package pipegs_pkg;
   localparam int unsigned RasterBits = 70;
 
   typedef struct packed {
-    // Gaussians of a window's groups from which on it is walked part by part; 0: never is
+    // Gaussians at one depth from which on a window is walked part by part; 0: never is
     logic [WalkMostW-1:0] walk_most;
     raster_t raster;
     tables_t tables;
@@ -1088,18 +1088,18 @@ package pipegs_pkg;
   localparam int unsigned MemoryRequestBits = 45;
 
   // Stages of a PU on pu_phases: see cpp_model/pu/stages.def.
-  localparam int unsigned ProjectDepth   = 4;
-  localparam int unsigned ProjectClaim   = 4;
-  localparam int unsigned OrientDepth    = 1;
-  localparam int unsigned OrientClaim    = 5;
+  localparam int unsigned ProjectDepth   = 6;
+  localparam int unsigned ProjectClaim   = 6;
+  localparam int unsigned OrientDepth    = 6;
+  localparam int unsigned OrientClaim    = 6;
   localparam int unsigned JacobianDepth  = 2;
   localparam int unsigned JacobianClaim  = 2;
   localparam int unsigned FactorsDepth   = 2;
   localparam int unsigned FactorsClaim   = 2;
-  localparam int unsigned SquaresDepth   = 2;
+  localparam int unsigned SquaresDepth   = 3;
   localparam int unsigned SquaresClaim   = 3;
-  localparam int unsigned CovarianceDepth = 1;
-  localparam int unsigned CovarianceClaim = 7;
+  localparam int unsigned CovarianceDepth = 5;
+  localparam int unsigned CovarianceClaim = 5;
   localparam int unsigned AxesDepth      = 7;
   localparam int unsigned AxesClaim      = 7;
   localparam int unsigned BoxDepth       = 5;
@@ -1243,9 +1243,9 @@ package pipegs_pkg;
     48'h0088_060c1012,  // CONFIG_GAUSSIAN
     48'h0084_00030e52,  // CONFIG_POINT
     48'h0080_10048004,  // CONFIG_COUNTS
-    48'h000c_034c1283,  // CONFIG_HASH
+    48'h000c_fa43bfdf,  // CONFIG_HASH
     48'h0008_983831c8,  // LAYOUT
-    48'h0004_00020000,  // VERSION
+    48'h0004_00020001,  // VERSION
     48'h0000_47504950  // ID
   };
 

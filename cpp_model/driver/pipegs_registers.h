@@ -376,7 +376,7 @@ struct pipegs_frame {
   uint64_t raster_windows_first_y; /* row of the first */
   uint64_t raster_windows_last_x; /* column of the last */
   uint64_t raster_windows_last_y; /* row of the last */
-  uint64_t walk_most; /* Gaussians of a window's groups from which on it is walked part by part; 0: never is */
+  uint64_t walk_most; /* Gaussians at one depth from which on a window is walked part by part; 0: never is */
 };
 
 /* sizes of what lies at the addresses of the frame, in the order of its slots. */
