@@ -67,8 +67,7 @@ TEST(Corners, TheQueueHoldsAWindowOnTrial) {
   config.nearest_nodes = 128;
   EXPECT_EQ(refused(config), "accepted");
   config.nearest_nodes = 64;
-  EXPECT_EQ(refused(config),
-            "configuration: nearest_nodes = 64, expected with window = 128 at least 2 grid^3 = 128");
+  EXPECT_EQ(refused(config), "configuration: nearest_nodes = 64, expected with window = 128 at least 2 grid^3 = 128");
   config.window = 64;
   EXPECT_EQ(refused(config), "accepted");
 }

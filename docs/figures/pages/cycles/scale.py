@@ -84,7 +84,10 @@ def gains():
     rows = [
         [
             "`fast`",
-            *[f"{group(frame(scene).cycles)}, {fixed(moved(frame(scene).memory.by_stream) / 1e6, 1)} MB" for scene in GAINED],
+            *[
+                f"{group(frame(scene).cycles)}, {fixed(moved(frame(scene).memory.by_stream) / 1e6, 1)} MB"
+                for scene in GAINED
+            ],
         ]
     ]
     rows += [[what[name], *[cell(scene, name) for scene in GAINED]] for name in LEFT_OUT]
