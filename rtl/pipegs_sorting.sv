@@ -191,4 +191,7 @@ module pipegs_sorting #(
   assign tap_splat_valid_o = splat_valid & splat_ready;
   assign tap_splat_o       = splat;
 
+  logic unused_spilling;  // simulations show it
+  assign unused_spilling   = &{1'b0, spilling};
+
 endmodule
