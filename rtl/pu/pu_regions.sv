@@ -4,7 +4,7 @@
 //
 // Paper   Eq. 3, and the tile test of Sec. 4.2.
 // Idea    coeff -> queue -> intersect. The queue evens out pu_intersect, which takes 2 to 64 cycles where the others
-//         take 8. The payload comes from where it is known, before the conic does. It waits in a queue until
+//         take 8 or 4. The payload comes from where it is known, before the conic does. It waits in a queue until
 //         pu_intersect takes or drops its Gaussian, then in pu_payload until the regions are known. Only wiring here.
 // Stream  conic in; payload in, one for each Gaussian, in order, not refused; tiles out and beside them their payload,
 //         zero beside an end. Gaussians without a region vanish, ends pass.
@@ -112,7 +112,7 @@ module pu_regions #(
     .count_o(waiting_count)
   );
 
-  pu_payload #(.DataW(PayloadW), .Places(pipegs_pkg::Pace == 4 ? 3 : 2)) u_payload (
+  pu_payload #(.DataW(PayloadW)) u_payload (
     .clk_i,
     .rst_ni,
     .walk_i(go),

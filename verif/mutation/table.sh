@@ -217,8 +217,6 @@ mutant pu_four_conic "roots of the set that a younger record has" \
 mutant pu_four_extent "the box lies crosswise" 's/(pixels_x = pixels_q\[)swap_i/\1!swap_i/' pu_shape_four
 mutant pu_four_coeff "u w is added" "s/(c_q <= c_q) - SumBcW/\1 + SumBcW/" pu_regions_four
 mutant pipegs_square "products with the sign bit count as positive" 's/sum -= row/sum += row/' pu_shape_four
-mutant pu_intersect "the box of the next is made before the walk has begun" 's/(box_free = ).*/\11;/' pu_intersect_four
-mutant pu_intersect "a third is under test" "s/drains_q != 2'\(Drains\)/1/" pu_intersect_four
 mutant pu_regions "a Gaussian that dies leaves its payload in the queue" 's/(out_ready_i.)drop \|\| go/\1go/'
 mutant pu_payload "whoever leaves shows the first word" "s/head_q == Last \? '0 : head_q \+ 1'b1/head_q/" pu_regions
 mutant pu_turns "the output takes what is not inside" 's/(leave_o *= move_o) \&\& inside_q/\1/' pu_conic

@@ -7,13 +7,12 @@
 //         P >= 0 at a corner, or if along an edge that faces the mean P rises, then falls, and its peak
 //         P + g^2 / (4 |E|) >= 0:   g^2 >= 4 |E| (-P)   (pu_edge).
 //         TileTest 0: every region of the box, at the same pace; 2: those that the oriented box touches (pu_touch).
-//         Three records are inside at once: one is set up, one walks, the regions of one are being tested. With a Pace
-//         of 4 two more: the next one's box is made while one is placed, and two are being tested.
+//         Three records are inside at once: one is set up, one walks, the regions of one are being tested.
 // Stream  coeff in, tiles out, in order; a Gaussian without a region is not emitted. An end beat passes through. For
 //         the payloads (pu_regions): drop_o, one has no box and is gone, whatever walks before it; walk_o, one begins
 //         its walk; leave_o, the oldest of those that walk leaves, its mask may be empty.
-// Pace    The regions in the box, of each row Tests in a cycle, but at least 3 cycles (2 with a Pace of 4); 2 for a
-//         Gaussian without a box; an end beat waits for those before it.
+// Pace    The regions in the box, of each row Tests in a cycle, but at least 3 cycles; 2 for a Gaussian without a box;
+//         an end beat waits for those before it.
 //         box | start | place | walk ... | ends of edges | products | compare, out
 // Model   cpp_model/pu/conic/pu_intersect.hpp
 
@@ -63,15 +62,10 @@ module pu_intersect (
   } state_e;
 
   state_e              state_q;
-  localparam bit          Ahead  = pipegs_pkg::Pace == 4;
-  localparam int unsigned Drains = Ahead ? 2 : 1;  // records whose last region may be under test
-  logic                tiles_valid_q, walk_valid_q, place_valid_q, none_q;
-  logic [1:0]          drains_q, drains;
-  logic                box_free;  // its registers
+  logic                tiles_valid_q, walk_valid_q, drain_valid_q, none_q;
   logic                is_end, take_end, drop, load, step, test_last, hold, out_free, leave;
   pipegs_pkg::coeff_t  walk_q;   // the record whose regions are walked
-  pipegs_pkg::coeff_t  placed;   // the one that begins its walk
-  pipegs_pkg::tiles_t  walked, drain_q [Drains], tiles_q;  // drain: its last region is being tested, the oldest first
+  pipegs_pkg::tiles_t  walked, drain_q, tiles_q;  // drain: its last region is being tested
   logic [Regions-1:0]  mask, mask_q;
 
   // --- the box of pixels, as columns and rows of regions -----------------------------------------------------------
@@ -116,7 +110,7 @@ module pu_intersect (
   assign first_power = above_q + (place <<< EightW);
 
   always_ff @(posedge clk_i) begin
-    if (state_q == StateBox && box_free) begin
+    if (state_q == StateBox) begin
       box_left_q   <= x_first[PixelW-1:EightW];
       box_right_q  <= x_last[PixelW-1:EightW];
       box_top_q    <= y_first[PixelW-1:EightW];
@@ -133,27 +127,6 @@ module pu_intersect (
     end
   end
 
-  // The record stays at the input until its walk begins; with the next one behind it there, its own copy does.
-  if (Ahead) begin : gen_ahead
-    logic signed [MeanW-1:0] mean_x_q, mean_y_q;
-    always_ff @(posedge clk_i) begin
-      if (state_q == StateBox && box_free) {mean_x_q, mean_y_q} <= {coeff_i.mean_x, coeff_i.mean_y};
-    end
-    always_comb begin
-      placed        = '0;
-      placed.mean_x = mean_x_q;
-      placed.mean_y = mean_y_q;
-      placed.a      = a_q;
-      placed.b      = b_q;
-      placed.c      = c_q;
-      placed.d      = d_q;
-      placed.e      = e_q;
-      placed.f      = f_q;
-    end
-  end else begin : gen_stays
-    assign placed = coeff_i;
-  end
-
   // --- the walk: Tests columns at a time ---------------------------------------------------------------------------
   localparam int unsigned Tests = pipegs_pkg::Tests;
   logic                   last_column, last_region;
@@ -165,7 +138,7 @@ module pu_intersect (
 
   always_ff @(posedge clk_i) begin
     if (load) begin
-      walk_q         <= placed;
+      walk_q         <= coeff_i;
       column_q       <= box_left_q;
       column_first_q <= box_left_q;
       column_last_q  <= box_right_q;
@@ -271,21 +244,18 @@ module pu_intersect (
   assign out_free = !tiles_valid_q || tiles_ready_i;
   assign hold     = test_last && !out_free;
   assign leave    = test_last && out_free;
-  assign step     = walk_valid_q && !hold && (!last_region || drains_q != 2'(Drains) || leave);
+  assign step     = walk_valid_q && !hold && (!last_region || !drain_valid_q || leave);
   assign drop     = state_q == StateStart && none_q;
-  assign load     = place_valid_q && (!walk_valid_q || (step && last_region));
-  assign take_end = state_q == StateBox && coeff_valid_i && is_end && !place_valid_q && !walk_valid_q &&
-                    drains_q == '0 && out_free;
-  assign box_free = !place_valid_q || load;
-  assign drains   = drains_q - 2'(leave);
+  assign load     = state_q == StatePlace && (!walk_valid_q || (step && last_region));
+  assign take_end = state_q == StateBox && coeff_valid_i && is_end && !walk_valid_q && !drain_valid_q && out_free;
 
-  assign coeff_ready_o  = (Ahead ? state_q == StateStart : drop || load) || take_end;
+  assign coeff_ready_o  = drop || load || take_end;
   assign drop_o         = drop;
   assign walk_o         = load;
   assign leave_o        = leave;
   assign tiles_valid_o  = tiles_valid_q;
   assign tiles_o        = tiles_q;
-  assign busy_o         = state_q != StateBox || place_valid_q || walk_valid_q || drains_q != '0 || tiles_valid_q;
+  assign busy_o         = state_q != StateBox || walk_valid_q || drain_valid_q || tiles_valid_q;
 
   always_comb begin
     walked = '0;  // a data beat
@@ -301,21 +271,19 @@ module pu_intersect (
     if (!rst_ni) begin
       state_q       <= StateBox;
       walk_valid_q  <= 1'b0;
-      drains_q      <= '0;
-      place_valid_q <= 1'b0;
+      drain_valid_q <= 1'b0;
       tiles_valid_q <= 1'b0;
       mask_q        <= '0;
     end else begin
       case (state_q)
-        StateBox: if (coeff_valid_i && !is_end && box_free) state_q <= StateStart;
-        StateStart: state_q <= none_q || Ahead ? StateBox : StatePlace;
+        StateBox: if (coeff_valid_i && !is_end) state_q <= StateStart;
+        StateStart: state_q <= none_q ? StateBox : StatePlace;
         default: if (load) state_q <= StateBox;
       endcase
-      if (state_q == StateStart && !none_q) place_valid_q <= 1'b1;
-      else if (load) place_valid_q <= 1'b0;
       if (load) walk_valid_q <= 1'b1;
       else if (step && last_region) walk_valid_q <= 1'b0;
-      drains_q <= drains + 2'(step && last_region);
+      if (step && last_region) drain_valid_q <= 1'b1;
+      else if (leave) drain_valid_q <= 1'b0;
       mask_q <= leave ? '0 : mask;
       if (leave) tiles_valid_q <= mask != '0;
       else if (take_end) tiles_valid_q <= 1'b1;
@@ -324,13 +292,9 @@ module pu_intersect (
   end
 
   always_ff @(posedge clk_i) begin
-    if (leave) drain_q[0] <= drain_q[Drains-1];
-    if (step && last_region) begin
-      if (drains == '0) drain_q[0] <= walked;
-      else drain_q[Drains-1] <= walked;
-    end
+    if (step && last_region) drain_q <= walked;
     if (leave) begin
-      tiles_q      <= drain_q[0];
+      tiles_q      <= drain_q;
       tiles_q.mask <= mask;
     end else if (take_end) begin
       tiles_q      <= '0;

@@ -21,7 +21,6 @@ Pu::Pu(const Machine& m, int lane)
       coeff_phases_(pu_built(m.config, "coeff", "coeff")),
       expand_(lane),
       parts_(lane),
-      intersect_(m.config.pace == 4),
       ended_(m.config.alpha_layers),
       alpha_lines_(m.config.alpha_lines),
       alpha_addresses_(m.config.alpha_addresses()),

@@ -31,7 +31,7 @@ class Numbers : public Endpoint {
       walking_.pop_front();
     }
     if (dut.walk_o) walking_.push_back(came);
-    EXPECT_LE(walking_.size(), test_config().pace == 4 ? 3u : 2u) << "cycle " << bench_.cycle;
+    EXPECT_LE(walking_.size(), 2u) << "cycle " << bench_.cycle;
     came += dut.drop_o + dut.walk_o;
   }
   uint64_t came = 0;
@@ -113,7 +113,7 @@ TEST(PuIntersect, EqualsItsModelForAnyConcaveCoefficients) {
   s.compare(records);
 }
 
-TEST(PuIntersect, TakesOneCyclePerStepOfTheBoxAndAtLeastThreeOrTwo) {
+TEST(PuIntersect, TakesOneCyclePerStepOfTheBoxAndAtLeastThree) {
   Stage s;
   std::vector<Coeff> records;
   Covariance round;  // as large as reaches one region from its middle, four from the corner of four
@@ -128,9 +128,8 @@ TEST(PuIntersect, TakesOneCyclePerStepOfTheBoxAndAtLeastThreeOrTwo) {
   }
   for (int i = 0; i < 50; ++i) records.push_back({.kind = kLayerEnd});
   s.compare(records);
-  const int least = s.config.pace == 4 ? 2 : 3;
-  EXPECT_EQ(s.out.cycles.at(40) - s.out.cycles.at(10), 30u * least);
-  EXPECT_EQ(s.out.cycles.at(90) - s.out.cycles.at(60), 30u * std::max(least, 4 / s.config.tests));
+  EXPECT_EQ(s.out.cycles.at(40) - s.out.cycles.at(10), 30u * 3);
+  EXPECT_EQ(s.out.cycles.at(90) - s.out.cycles.at(60), 30u * std::max(3, 4 / s.config.tests));
   EXPECT_EQ(s.out.cycles.at(140) - s.out.cycles.at(110), 30u);
 }
 
