@@ -7,8 +7,8 @@
 //           B = 2 narrow w      C = 2 (wide mean_q - u w)                    F = 2 u
 //         Out of range: dead; no pixel of the window can count (the proof is in the model's head).
 // Stream  conic in, coeff out, in order; an end beat passes with all other fields zero.
-// Pace    One record in four cycles, latency 11. Two multipliers, the wide one behind registers of its operands; an
-//         aligner for each, one normaliser:
+// Pace    One record in four cycles, latency 11. Two multipliers behind registers of their operands, an aligner for
+//         each, one normaliser:
 //           cycle   0       1       2       3         4        5         6      7          8    9
 //           first   m q     wide q  u       narrow w
 //           norm    mean_q          w
@@ -136,27 +136,30 @@ module pu_four_coeff (
   localparam int unsigned ShortW  = MeanW > MantissaW + 1 ? MeanW : MantissaW + 1;  // left operand
   localparam int unsigned FirstW  = ShortW + RightW;
   localparam logic signed [SumW-1:0] Base = $signed(SumW'(Guard) - SumW'(CoeffF + 1));
-  logic signed [ShortW-1:0] short_left;
-  logic signed [RightW-1:0] short_right;
+  logic signed [ShortW-1:0] short_left_q;
+  logic signed [RightW-1:0] short_right_q;
   logic signed [FirstW-1:0] first_q;
   logic signed [SumW-1:0]   first_shift, first_shift_q;
   always_comb begin
-    short_left  = ShortW'($signed({1'b0, in_q.narrow_m}));
-    short_right = RightW'(in_q.slope_m);
-    first_shift = Base - $signed(SumW'(1)) - SumW'(in_q.narrow_e) - normal_w_e_q;
+    first_shift = Base - $signed(SumW'(1)) - SumW'(in_q.narrow_e) - normal_w_e_q;  // narrow w
     (* parallel_case *) case (1'b1)
-      phase[0]: short_left = ShortW'(mean_q);  // m mean_q
-      phase[1]: begin  // wide mean_q
-        short_left  = ShortW'($signed({1'b0, in_q.wide_m}));
-        short_right = RightW'(normal_q_q);
-        first_shift = Base - $signed(SumW'(1)) - SumW'(in_q.wide_e) - normal_q_e_q;
-      end
+      phase[1]: first_shift = Base - $signed(SumW'(1)) - SumW'(in_q.wide_e) - normal_q_e_q;  // wide mean_q
       phase[2]: first_shift = Base + $signed(SumW'(SlopeF - 1)) - SumW'(in_q.narrow_e);  // u
-      default: short_right = RightW'(normal_w_q);  // narrow w
+      default: ;
     endcase
   end
+  // Operands of the next cycle.
+  always_ff @(posedge clk_i) begin
+    if (take) begin  // m mean_q
+      short_left_q  <= ShortW'(conic_i.swap ? conic_i.mean_x : conic_i.mean_y);
+      short_right_q <= RightW'(conic_i.slope_m);
+    end else if (step) begin
+      short_left_q  <= ShortW'($signed({1'b0, phase[0] ? in_q.wide_m : in_q.narrow_m}));
+      short_right_q <= phase[1] ? RightW'(in_q.slope_m) : RightW'(raised);
+    end
+  end
   always_ff @(posedge clk_i) if (step) begin
-    first_q       <= FirstW'(short_left) * FirstW'(short_right);
+    first_q       <= FirstW'(short_left_q) * FirstW'(short_right_q);
     first_shift_q <= first_shift;
     if (phase[0]) begin
       normal_q_q   <= raised;
