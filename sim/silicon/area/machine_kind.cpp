@@ -49,7 +49,9 @@ Config config_of(const std::string& difference) {
   return config;
 }
 
-MachineKind kind_of(const Config& config) { return {config.late, config.order, config.quadratic, config.quads}; }
+MachineKind kind_of(const Config& config) {
+  return {config.late, config.order, config.quadratic, config.quads, config.pace};
+}
 
 std::vector<double> kind_terms(const Config& config) {
   return {1.0,
@@ -57,10 +59,13 @@ std::vector<double> kind_terms(const Config& config) {
           1.0 * config.has_lists(),
           1.0 * config.has_watermarks(),
           1.0 * config.quadratic,
-          1.0 * config.quads};
+          1.0 * config.quads,
+          1.0 * (config.pace == 4)};
 }
 
-std::vector<double> kind_ridges() { return {0, kKindRidge, kKindRidge, kKindRidge, kKindRidge, kKindRidge}; }
+std::vector<double> kind_ridges() {
+  return {0, kKindRidge, kKindRidge, kKindRidge, kKindRidge, kKindRidge, kKindRidge};
+}
 
 double scaled(const Config& config, const std::string& name) {
   const auto knob = known_knobs().find(name);
