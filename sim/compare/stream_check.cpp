@@ -197,8 +197,8 @@ void StreamCheck::expect_chunks(uint64_t ordinal, const ChunkSet& chunks,
     fail(ordinal, {.tap = Tap::kChunk, .gaussian = input_.packed->gaussians[*slot].index}, "its chunk", "it missing");
 }
 
-// With Occlusion: whether each region of a Gaussian was done when its line there was due, so that it may be missing from
-// the walk: done in the golden window too, and nothing behind that line has been blended.
+// With Occlusion: whether each region of a Gaussian was done when its line there was due, so that it may be missing
+// from the walk: done in the golden window too, and nothing behind that line has been blended.
 bool StreamCheck::closed_before(const Window& window, uint64_t index, uint64_t walk) const {
   for (const auto& by_name : window.by_name) {
     for (uint64_t part = 0; part < static_cast<uint64_t>(config_.parts()); ++part) {
@@ -217,7 +217,7 @@ bool StreamCheck::closed_before(const Window& window, uint64_t index, uint64_t w
   return true;
 }
 
-// With Occlusion: a chunk of the scene that the planes of the whole walk do not let pass; it has no Gaussian to be seen.
+// With Occlusion: a chunk of the scene that the planes of the whole walk do not let pass; it has no visible Gaussian.
 const Chunk* StreamCheck::beside(uint64_t ordinal, ChunkSet& chunks, const Chunk& found) const {
   if (!config_.occlusion) return nullptr;
   const std::vector<Node>& nodes = input_.packed->chunks;

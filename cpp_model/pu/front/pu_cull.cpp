@@ -35,8 +35,8 @@ int64_t scale_in_view(const Config& c, uint64_t scale, uint64_t opacity, uint64_
 }
 
 // Does [x - reach s, x + reach s] touch so many pixels from `pixel` on along one axis? All at the common exponent.
-// `gap`: how far x is beyond them, times z. Of the pixels so many at either end are closed: the test leaves them out, the
-// gap does not.
+// `gap`: how far x is beyond them, times z. Of the pixels so many at either end are closed: the test leaves them out,
+// the gap does not.
 bool touches(const Config& c, int64_t x, int64_t z, int64_t s, uint64_t focal, uint64_t reach, int64_t center,
              int64_t pixel, int64_t pixels, int64_t low_closed, int64_t high_closed, int64_t& gap, int64_t* low_most,
              int64_t* high_most) {

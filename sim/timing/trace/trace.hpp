@@ -28,8 +28,8 @@ struct TimingNode {
   uint32_t first = 0, count = 0;
 };
 
-// For which rectangles of a walk a node passes: of each side (left, right, top, bottom) 16 bits, bit n with n columns or
-// rows of regions of it closed. Without Occlusion bit 0 alone is asked for.
+// For which rectangles of a walk a node passes: of each side (left, right, top, bottom) 16 bits, bit n with n columns
+// or rows of regions of it closed. Without Occlusion bit 0 alone is asked for.
 using TimingSides = uint64_t;
 inline constexpr TimingSides kWholePasses = 0x0001000100010001;
 
