@@ -6,7 +6,7 @@
 //         back (regions, colour, alphas). Wiring, and the clock that stops when nothing moves. PuFronts of the PUs have
 //         a front; the others take what pu_deal gives them, and the ends.
 // Stream  chunk in; splat out; lines to the lane's alpha store; three ports to external memory.
-// Pace    One Gaussian per cycle into the cull, one per eight cycles behind it.
+// Pace    One Gaussian per cycle into the cull, one per Pace cycles, 8 or 4, behind it.
 // Model   preprocess() in cpp_model/golden.cpp
 
 module pipegs_pu #(

@@ -3,7 +3,7 @@
 //
 // Paper   Fig. 7 (PU), Sec. 4.2.1.
 // Idea    fetch -> cull -> reach (TightCull). One Gaussian a cycle goes in, and of those that leave pu_deal gives each
-//         PU one in eight cycles, so PuFronts of the PUs can feed all of them. Only wiring here.
+//         PU one in Pace cycles, so PuFronts of the PUs can feed all of them. Only wiring here.
 // Stream  chunk in; visible out, to pu_deal; a port to external memory for geometry.
 // Pace    One Gaussian per cycle.
 // Model   preprocess() in cpp_model/golden.cpp
