@@ -215,6 +215,7 @@ mutant pu_four_covariance "0.3 is added in place of c0" 's/first\[3\] \? c0_q : 
 mutant pu_four_conic "roots of the set that a younger record has" \
        's/(give_set_i\()ride_12_q/\1ride_8_q/' pu_shape_four
 mutant pu_four_extent "the box lies crosswise" 's/(pixels_x = pixels_q\[)swap_i/\1!swap_i/' pu_shape_four
+mutant pu_four_coeff "narrow w is narrow m" "s/(phase\[1\]) \? (RightW'\(in_q)/\1 || phase[2] ? \2/" pu_regions_four
 mutant pu_four_coeff "u w is added" "s/(c_q <= c_q) - SumBcW/\1 + SumBcW/" pu_regions_four
 mutant pipegs_square "products with the sign bit count as positive" 's/sum -= row/sum += row/' pu_shape_four
 mutant pu_regions "a Gaussian that dies leaves its payload in the queue" 's/(out_ready_i.)drop \|\| go/\1go/'
