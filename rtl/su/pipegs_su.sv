@@ -58,6 +58,7 @@ module pipegs_su (
   logic                     spill_start, spill_valid, spill_ready, spill_ended, spill_sent, spill_done, job_valid;
   logic                     job_done, spill_stay, returns, refill_ready;
   logic [RecordW-1:0]       slot, free_slot, link_slot, link_to;
+  logic                     back_valid;
   pipegs_pkg::splat_t       record;
   pipegs_pkg::su_chain_t    chain;
   pipegs_pkg::su_mark_t     mark;
@@ -169,7 +170,7 @@ module pipegs_su (
   logic                     merged_valid;  // the key comes from a merge in external memory; the sorter is empty then
   logic [KeyW-1:0]          merged_key;
   logic [RecordW-1:0]       merged_slot;
-  logic                     divert, spilled, keep, all_sent, kept_valid, kept_ready, back_valid, back_ready;
+  logic                     divert, spilled, keep, all_sent, kept_valid, kept_ready, back_ready;
   logic                     output_empty, output_moves;
   logic                     read_valid, read_ready, line_valid, line_ready;
   logic [pipegs_pkg::SlotW-1:0] read_line, kept_number;

@@ -138,7 +138,7 @@ TEST(PuPartsModel, PlacesAMeanAsTheProjectionInAWindowOfThatSize) {
     for (int k = 0; k < 100; ++k) {
       Visible v = random.visible(frame);
       v.window_x /= 2, v.window_y /= 2;
-      if (random.chance(3)) v.view_z = std::max<int64_t>(1, v.view_z >> random.integer(0, 12));  // means far away
+      if (random.chance(2)) v.view_z = std::max<int64_t>(1, v.view_z >> random.integer(4, 14));  // means far away
       const Center whole = pu_project(config, frame, v).center;
       Conic conic = random_box(random, 2, 2, config.part_side());
       conic.mean_x = whole.mean_x, conic.mean_y = whole.mean_y;

@@ -70,18 +70,20 @@ Cost cost(const std::string& name, size_t count) {
   return {static_cast<double>(run.cycles) / splats, bytes / splats};
 }
 
-// A PU takes a splat every eight cycles, so four PUs need two. A record is 64 bytes: to memory and back it and its key
+// A PU takes a splat every four cycles, so four PUs need one. A record is 64 bytes: to memory and back it and its key
 // take at most three times as many. Memory moves some 50 bytes in a cycle at best, and half of that here: the ways of a
 // merge lie in rows of their own, so that banks change rows for nearly every line.
 void expect_one_pace(size_t count) {
   std::string line;
+  double most = 0;
   for (const auto& [name, depth] : depths()) {
     const Cost found = cost(name, count);
     EXPECT_LE(found.cycles, 9.5) << name;
     EXPECT_LE(found.sorting, 3 * 64) << name;
-    if (count > 10000) EXPECT_GT(found.sorting, 64) << name << ": its set fits";
+    most = std::max(most, found.sorting);
     line += fmt::format("; {} {:.2f}, {:.1f}", name, found.cycles, found.sorting);
   }
+  EXPECT_GT(most, 64) << "every set fits";
   fmt::print("{} splats, cycles and bytes of sorting for each{}\n", count, line);
 }
 

@@ -176,7 +176,16 @@ module pu_four_factors (
   // --- how far its row is above a product; then the product is aligned, rounded to nearest ---------------------------
   // Of u one cycle behind the phase, of t in it, as t_2 is issued in the last one.
   localparam int unsigned KeptW = 2 * FactorW - BothW + 1;  // with one bit for rounding
+  localparam int unsigned WideW = KeptW + FactorW + RightW;  // no product is wider, nor what is kept
   logic signed [ExponentW-1:0] e0, e1, et, apart0_q, apart1_q, apart_t_q, ahead_q;
+  // The bits that are kept, of a product as if both factors were FactorW wide and a scale at its left end.
+  function automatic logic signed [KeptW-1:0] kept_row(input logic signed [RowW-1:0] product);
+    kept_row = KeptW'(WideW'(product) >>> (OneW - 1));
+  endfunction
+  function automatic logic signed [KeptW-1:0] kept_cross(input logic signed [FactorW+RightW-1:0] product);
+    kept_cross = KeptW'(WideW'(product) >>> (BothW - 1));
+  endfunction
+
   logic signed [KeptW-1:0]     aligned0, aligned1, aligned_t;
   logic signed [FactorW-1:0]   m0, m1, mt;
   always_comb begin
@@ -193,14 +202,6 @@ module pu_four_factors (
     m1        = FactorW'((aligned1 + KeptW'(1)) >>> 1);
     mt        = FactorW'((aligned_t + KeptW'(1)) >>> 1);
   end
-
-  // The bits that are kept, of a product as if both factors were FactorW wide and a scale at its left end.
-  function automatic logic signed [KeptW-1:0] kept_row(input logic signed [RowW-1:0] product);
-    kept_row = KeptW'(product >>> (OneW - 1));
-  endfunction
-  function automatic logic signed [KeptW-1:0] kept_cross(input logic signed [FactorW+RightW-1:0] product);
-    kept_cross = KeptW'(product >>> (BothW - 1));
-  endfunction
 
   function automatic logic signed [ExponentW-1:0] flag(input logic bit_value);
     flag = $signed({{(ExponentW - 1){1'b0}}, bit_value});

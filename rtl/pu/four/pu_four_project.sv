@@ -59,7 +59,7 @@ module pu_four_project (
   localparam int unsigned KeyW       = DepthW - ExpW;
 
   localparam int unsigned Depth = pipegs_pkg::ProjectDepth;
-  logic                  take, claim, step, held;
+  logic                  take, claim, step, held, record_busy;
   logic [3:0]            phase;  // whose operands are chosen now
   logic [4*Depth-1:0]    slots;
   logic [3:0]            first;  // the phase one cycle ago
@@ -106,7 +106,7 @@ module pu_four_project (
   // Cycles 6 to 9 of a record, each a register: they choose the multiplier's operands; then 10 and 11, and in 12 its
   // centre is complete.
   logic [3:0] turn_q;
-  logic       record_busy, divided_q, cycle8_q, cycle10_q, cycle11_q, cycle12_q, center_data_q;
+  logic       divided_q, cycle8_q, cycle10_q, cycle11_q, cycle12_q, center_data_q;
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
       {turn_q, divided_q, cycle8_q, cycle10_q, cycle11_q, cycle12_q} <= '0;

@@ -86,9 +86,11 @@ struct Opens : Endpoint {
 };
 
 std::vector<Open> random_opens(const Config& config, const std::vector<Fetched>& inputs, std::mt19937_64& rng) {
+  const uint64_t windows = uint64_t{1} << config.window_w();
   std::vector<Open> opens;
   for (const Fetched& in : inputs) {
-    Open open = random_open(config, in.window_x + (rng() % 8 == 0), in.window_y + (rng() % 8 == 0), rng);
+    Open open = random_open(config, (in.window_x + (rng() % 8 == 0)) % windows,
+                            (in.window_y + (rng() % 8 == 0)) % windows, rng);
     open.known = rng() % 8 != 0;
     opens.push_back(open);
   }
