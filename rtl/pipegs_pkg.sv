@@ -119,9 +119,9 @@ package pipegs_pkg;
   // Gaussians from where pu_project gives a centre to where pu_covariance takes it: one at the output of the first,
   // none at that of the last
   localparam int unsigned CenterDepth    = 12;
-  // Gaussians from where a payload is known to where pu_intersect walks them: the places before, those in pu_coeff,
-  // queue, with a pace of 4 one that is placed
-  localparam int unsigned PayloadDepth   = 21;
+  // Gaussians from where a payload is known to where pu_intersect takes them: the places before, those in pu_coeff,
+  // queue
+  localparam int unsigned PayloadDepth   = 20;
   localparam int unsigned PartsX         = 2;  // parts along a window's side
   // parts of a window, numbered row by row: what masks, coefficients and powers are made for
   localparam int unsigned Parts          = 4;
