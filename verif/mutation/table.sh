@@ -100,16 +100,10 @@ mutant pu_cull "rounding of the view coordinates: + half becomes - half" \
        's/\+ (\$signed\(\(SumW \+ 1\).\(1\)\)\) >>> 1)/- \1/'
 mutant pu_cull "a part reaches as far as its window" 's/walk6\[2\] \? SideW/1'"'"'b0 ? SideW/' pu_cull_tight
 mutant pu_cull "the right part begins where the left one does" 's/, walk4\[0\], /, 1'"'"'b0, /' pu_cull_tight
-mutant pu_cull "one region short on the left" \
-       "s/aside\(closed6_q\[0 \+: ClosedW\]/aside(closed6_q[0 +: ClosedW] + ClosedW'(1)/" pu_cull_occlusion
-mutant pu_cull "one region short on the right" \
-       "s/aside\(closed6_q\[ClosedW \+: ClosedW\]/aside(closed6_q[ClosedW +: ClosedW] + ClosedW'(1)/" pu_cull_occlusion
-mutant pu_cull "one region short above" \
-       "s/aside\(closed6_q\[2\*ClosedW \+: ClosedW\]/aside(closed6_q[2*ClosedW +: ClosedW] + ClosedW'(1)/" \
-       pu_cull_occlusion
-mutant pu_cull "one region short below" \
-       "s/aside\(closed6_q\[3\*ClosedW \+: ClosedW\]/aside(closed6_q[3*ClosedW +: ClosedW] + ClosedW'(1)/" \
-       pu_cull_occlusion
+mutant pu_cull_open "one region short on the left" "s/aside\(closed6_q.left/aside(closed6_q.left + 1'b1/" pu_cull_occlusion
+mutant pu_cull_open "one region short on the right" "s/aside\(closed6_q.right/aside(closed6_q.right + 1'b1/" pu_cull_occlusion
+mutant pu_cull_open "one region short above" "s/aside\(closed6_q.top/aside(closed6_q.top + 1'b1/" pu_cull_occlusion
+mutant pu_cull_open "one region short below" "s/aside\(closed6_q.bottom/aside(closed6_q.bottom + 1'b1/" pu_cull_occlusion
 mutant pipegs_closed "what is closed of another window" \
        's/ && \{open_i.window_y, open_i.window_x\} == place_i\[2\*WindowW-1:0\]//' pu_cull_occlusion
 mutant pipegs_closed "the open mask of another part" \

@@ -362,37 +362,30 @@ module pu_cull (
     assign bx7     = ax7_q + span7_q;
     assign by7     = ay7_q + span7_q;
   end
-  // The same of the rectangle around the open regions: az and bz move inwards, by whole regions times z. That of az is
-  // in `near`, which is added later.
+  // The same of the rectangle around the open regions.
   logic signed [SideW-1:0] open_near_x7, open_near_y7, open_bx7, open_by7;
   if (pipegs_pkg::Occlusion != 0) begin : gen_open
-    localparam int unsigned RegionF = 3 + EdgeF;
-    localparam int unsigned ClosedW = pipegs_pkg::ClosedW;
-    logic [4*ClosedW-1:0]    closed4, closed5_q, closed6_q;  // left, right, top, bottom
-    logic signed [SideW-1:0] open_near_x7_q, open_near_y7_q, closed_x7_q, closed_y7_q;
-    pipegs_closed u_closed (
+    pu_cull_open #(
+      .ZW(MagW + 1),
+      .NearW(AsideW),
+      .SideW(SideW),
+      .EdgeF(EdgeF),
+      .ToEdge(ToEdge)
+    ) u_open (
+      .clk_i,
+      .load_i(load[7:5]),
       .open_i,
-      .place_i(ride4.place),
-      .closed_o(closed4)
+      .place4_i(ride4.place),
+      .z6_i(cz6_q),
+      .near_x6_i(near_x6),
+      .near_y6_i(near_y6),
+      .bx7_i(bx7),
+      .by7_i(by7),
+      .near_x7_o(open_near_x7),
+      .near_y7_o(open_near_y7),
+      .bx7_o(open_bx7),
+      .by7_o(open_by7)
     );
-    function automatic logic signed [SideW-1:0] aside(input logic [ClosedW-1:0]   regions,
-                                                      input logic signed [MagW:0] z);
-      aside = ($signed(SideW'(regions)) * SideW'(z)) <<< RegionF;
-    endfunction
-    always_ff @(posedge clk_i) begin
-      if (load[5]) closed5_q <= closed4;
-      if (load[6]) closed6_q <= closed5_q;
-      if (load[7]) begin
-        open_near_x7_q <= SideW'(near_x6) - (aside(closed6_q[0 +: ClosedW], cz6_q) <<< ToEdge);
-        open_near_y7_q <= SideW'(near_y6) - (aside(closed6_q[2*ClosedW +: ClosedW], cz6_q) <<< ToEdge);
-        closed_x7_q    <= aside(closed6_q[ClosedW +: ClosedW], cz6_q);
-        closed_y7_q    <= aside(closed6_q[3*ClosedW +: ClosedW], cz6_q);
-      end
-    end
-    assign open_near_x7 = open_near_x7_q;
-    assign open_near_y7 = open_near_y7_q;
-    assign open_bx7     = bx7 - closed_x7_q;
-    assign open_by7     = by7 - closed_y7_q;
   end else begin : gen_walk_alone
     assign open_near_x7 = SideW'(near_x7_q);
     assign open_near_y7 = SideW'(near_y7_q);
