@@ -326,7 +326,7 @@ package pipegs_pkg;
   localparam int unsigned RuLocalLines   = 4;  // lines of alpha stores that an RU has asked for
   localparam int unsigned RuRowLines     = 2;  // lines of alphas that an RU's own Row Units have ready (late)
   localparam int unsigned RuGroups       = 4;  // groups of four lanes in an RU (quads)
-  localparam int unsigned RuHalves       = 4;  // halves of regions that wait before a group of lanes (quads)
+  localparam int unsigned RuHalves       = 16;  // halves of regions that wait before a group of lanes (quads)
   localparam int unsigned RuDrained      = 2;  // words of finished pixels that wait for memory in an RU (quads)
   localparam int unsigned NodeLines      = 64;  // lines of the node tables in flight or waiting, each level
   localparam int unsigned SuMarks        = 256;  // watermarks of two windows, or ends of two layers, that an SU keeps
@@ -335,7 +335,7 @@ package pipegs_pkg;
   localparam int unsigned SuRunKeys      = 6;  // keys of a run in a line, each with the number of its record
   // records of a set that spilled that return to the pool of an SU: no more may be left
   localparam int unsigned SuRefill       = 704;
-  localparam int unsigned RuQueue        = 128;  // Gaussians before an RU: evens out which one has more to do
+  localparam int unsigned RuQueue        = 256;  // Gaussians before an RU: evens out which one has more to do
   localparam int unsigned RuRecords      = 40;  // Gaussians in an RU whose lines of alphas are on their way
 
   // What a beat of a stream is.

@@ -80,6 +80,10 @@ void add_buffers(const Config& c, StaticCost& cost) {
     add("RU u_fetch.u_records", "queues", record_width<Blend>(c), c.ru_records(), units);
   }
   add("RU u_queue", "queues", record_width<Sorted>(c), c.ru_queue(), units);
+  if (c.quads) {  // a half: two quads of a group, which of them live, which half of which region, colour
+    const int half = 2 + 8 * record_width<Exponent>(c) + 1 + c.region_w() + 3 * c.color_w + c.tap_index_w();
+    add("RU u_quads.u_queue", "queues", half, Config::ru_halves(), units * Config::ru_groups());
+  }
 
   add("DOPU readers u_lines", "scene", memory, c.node_lines(), 2);
   const int cell_bits = 3 * (c.grid > 1 ? clog2(c.grid) : 1);

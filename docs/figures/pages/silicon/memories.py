@@ -46,6 +46,7 @@ WHERE = [  # unit, place without generate blocks and the SU's wiring, what it ho
     ("RU", "u_fetch.u_external", "overflowed lines of alphas", "overflow"),
     ("RU", "u_fetch.u_records", "regions whose line is on its way", "RU queues"),
     ("RU", "u_ru.u_queue", "sorted splats", "RU queues"),
+    ("RU", "u_quads.u_queue", "halves of regions before a group of lanes (`quads=1`)", "RU queues"),
     ("DOPU", "u_dopu.*u_reader.u_lines", "groups and chunks", "scene"),
     ("DOPU", "u_cells.u_table", "the cell table, Grid^3 cells", "scene"),
     ("DOPU", "u_bucket.u_(nodes|heads|back|words)", "nodes that wait, by depth (`order=2`)", "scene"),
