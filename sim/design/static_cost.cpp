@@ -96,6 +96,9 @@ void add_buffers(const Config& c, StaticCost& cost) {
     add("DOPU u_nearest.u_bucket.u_nodes", "scene", c.count_w() + c.slot_w() + 3 * c.world_w + c.exp_w() + number + 1,
         nodes, 1);
     add("DOPU u_nearest.u_bucket.u_back", "scene", number, nodes, 1);
+    if (c.has_walks()) {  // chunks of half as many groups as places, four buckets in a word
+      add("DOPU u_load.u_sums", "scene", 4 * clog2((nodes / 2 + 1) * c.group + 1), 1 << (c.load_w() - 2), 2);
+    }
   }
 }
 

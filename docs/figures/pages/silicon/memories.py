@@ -50,6 +50,7 @@ WHERE = [  # unit, place without generate blocks and the SU's wiring, what it ho
     ("DOPU", "u_dopu.*u_reader.u_lines", "groups and chunks", "scene"),
     ("DOPU", "u_cells.u_table", "the cell table, Grid^3 cells", "scene"),
     ("DOPU", "u_bucket.u_(nodes|heads|back|words)", "nodes that wait, by depth (`order=2`)", "scene"),
+    ("DOPU", "u_load.*u_sums", "what a window on trial holds, by depth", "scene"),
     ("lists", "u_counts", "entries of each window's list (`order=1`)", "lists"),
     ("lists", r"u_read\..*u_lines", "lines of lists (`order=1`)", "lists"),
 ]
