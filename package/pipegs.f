@@ -93,6 +93,7 @@ rtl/pu/four/pu_four_orient.sv
 rtl/pu/four/pu_four_project.sv
 rtl/pu/four/pu_four_squares.sv
 rtl/pu/front/pu_cull.sv
+rtl/pu/front/pu_cull_axis.sv
 rtl/pu/front/pu_fetch.sv
 rtl/pu/front/pu_front.sv
 rtl/pu/front/pu_reach.sv

@@ -98,12 +98,15 @@ mutant pu_phases "a new record is let into an output that was not taken" \
        's/(out_free *= )!out_valid_q \|\| out_ready_i/\11/' pu_shape
 mutant pu_cull "rounding of the view coordinates: + half becomes - half" \
        's/\+ (\$signed\(\(SumW \+ 1\).\(1\)\)\) >>> 1)/- \1/'
-mutant pu_cull "a part reaches as far as its window" 's/walk6\[2\] \? SideW/1'"'"'b0 ? SideW/' pu_cull_tight
-mutant pu_cull "the right part begins where the left one does" 's/, walk4\[0\], /, 1'"'"'b0, /' pu_cull_tight
-mutant pu_cull_open "one region short on the left" "s/aside\(closed6_q.left/aside(closed6_q.left + 1'b1/" pu_cull_occlusion
-mutant pu_cull_open "one region short on the right" "s/aside\(closed6_q.right/aside(closed6_q.right + 1'b1/" pu_cull_occlusion
-mutant pu_cull_open "one region short above" "s/aside\(closed6_q.top/aside(closed6_q.top + 1'b1/" pu_cull_occlusion
-mutant pu_cull_open "one region short below" "s/aside\(closed6_q.bottom/aside(closed6_q.bottom + 1'b1/" pu_cull_occlusion
+mutant pu_cull "a part reaches as far as its window" "s/walk6\[2\] \? SpanW/1'b0 ? SpanW/" pu_cull_tight
+mutant pu_cull "the right part begins where the left one does" "s/\(walk4\[0\]\)/(1'b0)/" pu_cull_tight
+mutant pu_cull "what is closed above is taken off on the left" 's/closed4\.left/closed4.top/' pu_cull_occlusion
+mutant pu_cull "what is closed on the left is taken off above" 's/closed4\.top/closed4.left/' pu_cull_occlusion
+mutant pu_cull_axis "a part's slack is that of its window" "s/part6_i \? EdgeW/1'b0 ? EdgeW/" pu_cull_tight
+mutant pu_cull_axis "one region short on the left or above" "s/aside\(closed_near6_q/aside(closed_near6_q + 1'b1/" \
+       pu_cull_occlusion
+mutant pu_cull_axis "one region short on the right or below" "s/aside\(closed_far6_q/aside(closed_far6_q + 1'b1/" \
+       pu_cull_occlusion
 mutant pipegs_closed "what is closed of another window" \
        's/ && \{open_i.window_y, open_i.window_x\} == place_i\[2\*WindowW-1:0\]//' pu_cull_occlusion
 mutant pipegs_closed "the open mask of another part" \
@@ -111,8 +114,8 @@ mutant pipegs_closed "the open mask of another part" \
 mutant pipegs_open "one region short on the left" "s/, from_low\(x\)\}/, ClosedW'(from_low(x) + (x != 0))}/" open
 mutant pipegs_open "RUs in two windows are heard together" "s/here == '1/1'b1/" open
 mutant pipegs_open "an RU closes regions that are not its own" 's/ & \{Parts\{own\}\}//' open
-mutant pu_cull "the gap on the low side without what the cut bits of x may hide" \
-       's/ - fx - near;/ - fx;/' pu_cull_tight
+mutant pu_cull_axis "the gap on the low side without what the cut bits of x may hide" \
+       "s/ - focal7_q - SideW'\(near_slack7_q\)/ - focal7_q/" pu_cull_tight
 mutant pu_reach "the bound of the rounding errors left out" "s/ \+ \(NW-1\)'\(Error\);/;/"
 mutant pu_reach "a scale below the largest rounded down" "s/\(\(one - 7'd1\) >> below\) \+ 7'd1/one >> below/"
 mutant pu_reach "the guard band clamps on one side only" "s/wide_side \+ bound < 0 \?/1'b0 ?/"

@@ -238,8 +238,8 @@ module dopu_nearest #(
         else reserved_q[l] <= reserved_q[l] +
                               ReservedW'(enter[l]) - ReservedW'(missed[l]) - ReservedW'(held_valid[l] && retired[l]);
       end
-      logic unused_count;
-      assign unused_count = &{1'b0, count};
+      logic unused_bits;
+      assign unused_bits = &{1'b0, count, held_last[l]};
 `ifndef SYNTHESIS
       always_ff @(posedge clk_i) if (rst_ni) assert (!push[l] || queue_ready[l]);
 `endif
@@ -260,8 +260,7 @@ module dopu_nearest #(
   logic                     direct_chunk, direct_ready, send_pop;
   logic [WaitW-1:0]         waiting_q [2];     // chunks of either set in the queue
   logic [1:0]               open_ready, open_valid, any_open, pop_open, reading;
-  logic [BucketW-1:0]       open_nearest [2];
-  logic [BucketW-1:0]       open_bucket [2];
+  logic [BucketW-1:0]       open_nearest [2], open_bucket [2];
   logic [RangeW-1:0]        open_range [2];
 
   assign insert_level = live[2] ? 2'd2 : live[1] ? 2'd1 : 2'd0;
@@ -308,8 +307,7 @@ module dopu_nearest #(
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
-      waiting_q[0] <= '0;
-      waiting_q[1] <= '0;
+      for (int unsigned s = 0; s < 2; s += 1) waiting_q[s] <= '0;
     end else begin
       for (int unsigned s = 0; s < 2; s += 1) begin
         waiting_q[s] <= waiting_q[s] + WaitW'(insert && insert_list == ListW'(4 + s)) - WaitW'(out_valid &&
@@ -428,7 +426,5 @@ module dopu_nearest #(
   assign testing_o = want != '0 || drop != '0 || cell_ready_o || !queue_idle || retired != '0 || pop_valid ||
                      through != '0 || window_end;
   assign waiting_o = reading != '0;
-
-  wire unused = &{1'b0, held_last[0]};
 
 endmodule
