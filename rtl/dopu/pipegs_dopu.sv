@@ -244,7 +244,7 @@ module pipegs_dopu (
   );
 
   // --- chunks -> PUs ------------------------------------------------------------------------------------------------
-  logic               chunk_valid, chunk_ready, last_end, walk_end, part_end, given_up, origin_ready, origin_active;
+  logic               chunk_valid, chunk_ready, last_end, walk_end, part_end, given_up, to_origin, origin_ready, origin_active;
   pipegs_pkg::chunk_t chunk;
 
   dopu_origin u_origin (
@@ -252,7 +252,7 @@ module pipegs_dopu (
     .rst_ni,
     .position_i(frame_i.camera.position),
     .rotation_i(frame_i.camera.rotation),
-    .node_valid_i(node_valid && !given_up),
+    .node_valid_i(to_origin),
     .node_ready_o(origin_ready),
     .kind_i(part_end ? pipegs_pkg::KindPartEnd : node_kind),
     .place_i(node_set ? set_place[2*PlaceW-1:PlaceW] : set_place[PlaceW-1:0]),
@@ -267,6 +267,7 @@ module pipegs_dopu (
   assign walk_end    = node_kind == pipegs_pkg::KindWindowEnd;
   assign part_end    = walk_end && !set_ends[node_set];
   assign given_up    = walk_end && set_given[node_set];  // nobody needs to know
+  assign to_origin   = node_valid && !given_up;
   assign node_ready  = origin_ready || given_up;
   assign window_sent = node_valid && node_ready && walk_end;
   assign last_end    = chunk_valid && chunk_ready && chunk.kind == pipegs_pkg::KindWindowEnd
@@ -309,5 +310,15 @@ module pipegs_dopu (
 
   logic unused_areas;  // what others read
   assign unused_areas = &{1'b0, areas_i};
+
+`ifndef SYNTHESIS
+  pipegs_stream_check #(.DataW($bits({node_kind, node_set, node}))) u_check_node (
+    .clk_i,
+    .rst_ni,
+    .valid_i(to_origin),
+    .ready_i(origin_ready),
+    .beat_i({node_kind, node_set, node})
+  );
+`endif
 
 endmodule

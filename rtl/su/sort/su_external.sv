@@ -240,6 +240,13 @@ module su_external #(
   assign active_o     = form_active || levels_active || ways_active || tree_active || lines_active;
 
 `ifndef SYNTHESIS
+  pipegs_stream_check #(.DataW($bits(item_slot_o))) u_check_item (
+    .clk_i,
+    .rst_ni,
+    .valid_i(item_valid_o),
+    .ready_i(item_ready_i),
+    .beat_i(item_slot_o)
+  );
   pipegs_stream_check #(.DataW($bits({read_list_o, read_area_o, read_line_o, read_way_o}))) u_check_read (
     .clk_i,
     .rst_ni,
