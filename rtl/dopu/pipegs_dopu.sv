@@ -244,7 +244,8 @@ module pipegs_dopu (
   );
 
   // --- chunks -> PUs ------------------------------------------------------------------------------------------------
-  logic               chunk_valid, chunk_ready, last_end, walk_end, part_end, given_up, to_origin, origin_ready, origin_active;
+  logic               chunk_valid, chunk_ready, last_end, walk_end, part_end;
+  logic               given_up, to_origin, origin_ready, origin_active;
   pipegs_pkg::chunk_t chunk;
 
   dopu_origin u_origin (
