@@ -37,6 +37,7 @@ module dopu_cells #(
   input  logic [1:0]                      set_valid_i,    // from dopu_windows
   input  logic [1:0]                      set_last_i,
   input  logic [1:0]                      set_done_i,
+  input  logic [1:0]                      set_again_i,    // the next walk has this set
   output logic                            walked_o,       // the set's last item is on its way
 
   output logic                            cell_valid_o,
@@ -137,6 +138,7 @@ module dopu_cells #(
       if (start_i) walking_q <= 1'b1;
       else if (finished && set_last_i[set_q]) walking_q <= 1'b0;
       if (advance) item_valid_q <= read;
+      if (set_again_i != '0) set_q <= set_again_i[1];
       if (finished) begin
         set_q      <= !set_q;
         step_q     <= '0;

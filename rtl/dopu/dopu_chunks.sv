@@ -22,6 +22,8 @@ module dopu_chunks #(
   input  logic [2*5*pipegs_pkg::PlaneBits-1:0] planes_i,
   input  logic [1:0]                           set_done_i,
   input  logic [1:0]                           set_judges_i,
+  input  logic [1:0]                           set_given_i,
+  output logic [1:0]                           set_again_o,
 
   input  logic                                 cell_valid_i,
   output logic                                 cell_ready_o,
@@ -67,6 +69,8 @@ module dopu_chunks #(
       .planes_i,
       .set_done_i,
       .set_judges_i,
+      .set_given_i,
+      .set_again_o,
       .cell_valid_i,
       .cell_ready_o,
       .cell_kind_i,
@@ -132,8 +136,9 @@ module dopu_chunks #(
     assign group_near_o   = '0;
     assign group_far_o    = '0;
     assign counted_o      = 1'b0;
+    assign set_again_o    = '0;
     logic unused_judges;
-    assign unused_judges  = ^set_judges_i;
+    assign unused_judges  = ^{set_judges_i, set_given_i};
   end
 
 endmodule

@@ -6,7 +6,7 @@
 //         its walk is done; region (rx, ry) counts only if the RU that owns it is in this window. With lists there is
 //         one set, of all windows as one rectangle, and it is never done. Where judges_i is up the walk of a whole
 //         window is on trial (set_judges_o) until it is known how much there is; one with too much is given up, which
-//         is as done, and the walks of the window's parts follow.
+//         is as done, and when nothing of it is left its set is filled again, with the walk of the first part.
 //         With Occlusion the planes of a set are made anew when more of its walk is closed: those of the rectangle
 //         around what is open (pipegs_open). What they let pass that the old ones did not changes no pixel either, so
 //         they may change while nodes are tested; not on trial, whose verdict is of the window. A set to be filled goes
@@ -44,7 +44,8 @@ module dopu_windows (
   output logic [1:0]                            set_judges_o,  // on trial
   input  logic                                  judged_i,      // it is over, ...
   input  logic                                  parts_i,       // ... and the window goes by parts
-  output logic [1:0]                            set_given_o    // given up
+  output logic [1:0]                            set_given_o,   // given up, ...
+  input  logic [1:0]                            set_again_i    // ... and empty
 );
 
   localparam int unsigned WindowW = pipegs_pkg::WindowW;
@@ -64,7 +65,7 @@ module dopu_windows (
   logic [PlanesW-1:0] planes;
   logic [1:0]         valid_q, fresh_q, last_q, ends_q, done_d, done_q;
   logic               fill_q, walk_q, oldest_q;  // the set filled, walked, released next
-  logic               fill, on_trial, split, ends, next;  // next: the window has a set for each of its walks
+  logic               fill, on_trial, split, ends, next, waits;  // next: the window has a set for each of its walks
   logic               judges_q;                  // the set filled last is on trial, and the next one waits
   logic [1:0]         given_q;
   logic [PlaceW-1:0]  place_q [2];
@@ -78,6 +79,7 @@ module dopu_windows (
   assign fill         = planes_valid && planes_ready && !refitting;
   assign split        = judged_i && parts_i;
   assign next         = (judged_i && !parts_i) || (fill && !on_trial && ends);
+  assign waits        = judges_q || given_q != '0;
   assign last         = Whole || (row_ends && y == raster_i.windows.last_y);
 
   pipegs_window_walk u_walk (
@@ -132,13 +134,15 @@ module dopu_windows (
         asking_q        <= 1'b0;
         valid_q[fill_q] <= 1'b1;
         fresh_q[fill_q] <= 1'b1;
-        given_q[fill_q] <= 1'b0;
         fill_q          <= !fill_q;
         judges_q        <= on_trial;
       end
       if (judged_i) judges_q <= 1'b0;
       if (split) given_q[!fill_q] <= 1'b1;
       if (next && last) more_q <= 1'b0;
+      for (int unsigned s = 0; s < 2; s += 1) begin
+        if (set_again_i[s]) {valid_q[s], given_q[s], fill_q, walk_q} <= {2'b00, s[0], s[0]};
+      end
       if (release_i) begin
         valid_q[oldest_q] <= 1'b0;
         oldest_q          <= !oldest_q;
@@ -180,7 +184,7 @@ module dopu_windows (
       assign stale[s] = valid_q[s] && !set_judges_o[s] && !given_q[s] && closed[s] != '0 && closed[s] != closed_q[s];
     end
     // A set filled holds on to dopu_planes until it is taken, so it is asked for only when it can be.
-    assign fill_due     = more_q && !asking_q && !judges_q && !valid_q[fill_q] && !refitting;
+    assign fill_due     = more_q && !asking_q && !waits && !valid_q[fill_q] && !refitting;
     assign refit_due    = !fill_due && !asking_q && !refitting && stale != '0;
     assign refit_pick   = stale[oldest_q] ? oldest_q : !oldest_q;
     assign refit_closed = fill_due ? '0 : closed[refit_pick];
@@ -202,7 +206,7 @@ module dopu_windows (
       if (fill) closed_q[fill_q] <= '0;
     end
   end else begin : gen_no_refit
-    assign fill_due     = more_q && !asking_q && !judges_q;
+    assign fill_due     = more_q && !asking_q && !waits;
     assign refit_due    = 1'b0;
     assign refitting    = 1'b0;
     assign refit        = 1'b0;

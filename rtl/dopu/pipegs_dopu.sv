@@ -77,7 +77,7 @@ module pipegs_dopu (
   );
 
   // --- windows and their planes: two sets, one ahead ----------------------------------------------------------------
-  logic [1:0]           set_valid, set_last, set_done, set_ends, set_judges, set_given;
+  logic [1:0]           set_valid, set_last, set_done, set_ends, set_judges, set_given, set_again;
   logic [2*PlaceW-1:0]  set_place;
   logic [2*5*pipegs_pkg::PlaneBits-1:0] planes;
   logic                 window_walked, window_sent, done_news, judges, group_valid, counted, judged, parts;
@@ -108,7 +108,8 @@ module pipegs_dopu (
     .set_judges_o(set_judges),
     .judged_i(judged),
     .parts_i(parts),
-    .set_given_o(set_given)
+    .set_given_o(set_given),
+    .set_again_i(set_again)
   );
 
   if (pipegs_pkg::HasWalks) begin : gen_load
@@ -166,6 +167,7 @@ module pipegs_dopu (
     .set_valid_i(set_valid),
     .set_last_i(set_last),
     .set_done_i(set_done),
+    .set_again_i(set_again),
     .walked_o(window_walked),
     .cell_valid_o(cell_valid),
     .cell_ready_i(cell_ready),
@@ -192,6 +194,8 @@ module pipegs_dopu (
     .planes_i(planes),
     .set_done_i(set_done),
     .set_judges_i(set_judges),
+    .set_given_i(set_given),
+    .set_again_o(set_again),
     .cell_valid_i(cell_valid),
     .cell_ready_o(cell_ready),
     .cell_kind_i(cell_kind),
@@ -244,7 +248,7 @@ module pipegs_dopu (
   );
 
   // --- chunks -> PUs ------------------------------------------------------------------------------------------------
-  logic               chunk_valid, chunk_ready, last_end, walk_end, part_end, given_up, origin_ready, origin_active;
+  logic               chunk_valid, chunk_ready, last_end, walk_end, part_end, origin_active;
   pipegs_pkg::chunk_t chunk;
 
   dopu_origin u_origin (
@@ -252,8 +256,8 @@ module pipegs_dopu (
     .rst_ni,
     .position_i(frame_i.camera.position),
     .rotation_i(frame_i.camera.rotation),
-    .node_valid_i(node_valid && !given_up),
-    .node_ready_o(origin_ready),
+    .node_valid_i(node_valid),
+    .node_ready_o(node_ready),
     .kind_i(part_end ? pipegs_pkg::KindPartEnd : node_kind),
     .place_i(node_set ? set_place[2*PlaceW-1:PlaceW] : set_place[PlaceW-1:0]),
     .node_i(node),
@@ -266,8 +270,6 @@ module pipegs_dopu (
   // Nothing of the walk needs its planes any more once its end has left the test.
   assign walk_end    = node_kind == pipegs_pkg::KindWindowEnd;
   assign part_end    = walk_end && !set_ends[node_set];
-  assign given_up    = walk_end && set_given[node_set];  // nobody needs to know
-  assign node_ready  = origin_ready || given_up;
   assign window_sent = node_valid && node_ready && walk_end;
   assign last_end    = chunk_valid && chunk_ready && chunk.kind == pipegs_pkg::KindWindowEnd
                        && (pipegs_pkg::HasLists || (chunk.window_x == frame_i.raster.windows.last_x &&

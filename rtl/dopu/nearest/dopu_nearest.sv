@@ -30,6 +30,8 @@ module dopu_nearest #(
   input  logic [2*5*pipegs_pkg::PlaneBits-1:0]  planes_i,
   input  logic [1:0]                            set_done_i,
   input  logic [1:0]                            set_judges_i,
+  input  logic [1:0]                            set_given_i,   // given up ...
+  output logic [1:0]                            set_again_o,   // ... and empty: it is filled again, for the next walk
 
   input  logic                                  cell_valid_i,
   output logic                                  cell_ready_o,
@@ -110,6 +112,9 @@ module dopu_nearest #(
       else if (through[0]) cells_in_q <= 1'b0;
       for (int unsigned l = 0; l < Levels; l += 1) begin
         if (window_end) complete_q[l][send_set] <= 1'b0;
+        for (int unsigned s = 0; s < 2; s += 1) begin
+          if (set_again_o[s]) {complete_q[l][s], set_q[l]} <= {1'b0, s[0]};
+        end
         if (through[l]) begin
           complete_q[l][set_q[l]] <= 1'b1;
           set_q[l] <= !set_q[l];
@@ -380,6 +385,7 @@ module dopu_nearest #(
     end
   endgenerate
 
+  assign set_again_o = complete_q[2] & set_given_i & {2{queue_idle}};
   assign through[0] = cells_in_q && reserved_q[0] == '0;
   assign through[1] = working[1] && complete_q[0][set_q[1]] && !some[0] && !any_open[0];
   assign through[2] = working[2] && complete_q[1][set_q[2]] && !some[1] && !any_open[1];
@@ -402,7 +408,7 @@ module dopu_nearest #(
     .near_step_i(near_step),
     .set_done_i,
     .set_o(send_set),
-    .opened_i(complete_q[2][send_set]),
+    .opened_i(complete_q[2][send_set] && !set_given_i[send_set]),
     .unopened_i(unopened),
     .window_end_o(window_end),
     .first_valid_i(first_valid[5:4]),
@@ -424,7 +430,7 @@ module dopu_nearest #(
   );
 
   assign testing_o = want != '0 || drop != '0 || cell_ready_o || !queue_idle || retired != '0 || pop_valid ||
-                     through != '0 || window_end;
+                     through != '0 || window_end || set_again_o != '0;
   assign waiting_o = reading != '0;
 
 endmodule

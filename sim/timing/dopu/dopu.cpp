@@ -154,10 +154,6 @@ void Dopu::origin(const Machine& m, DopuCycle& cycle) {
   }
   const DopuItem* item = node(now);
   if (item == nullptr) return;
-  if (item->end == kWindowEndBeat && sets_[item->set].given_up) {
-    window_sent_ = cycle.node_taken = cycle.moved = cycle.changed = true;
-    return;
-  }
   if (was_multiplying) return;
   multiplying_ = true;
   multiplied_ = *item;
@@ -324,7 +320,8 @@ void Dopu::windows(const Machine& m, DopuCycle& cycle) {
     planes_at_ = now + 1;
     cycle.changed = true;
   } else if (planes_ == kPlanesIdle && now >= planes_at_ &&
-             ((next_walk_ < walks_ && !sets_[fill_ ^ 1].judges && !(occlusion && sets_[fill_].valid)) ||
+             ((next_walk_ < walks_ && !sets_[fill_ ^ 1].judges && !sets_[fill_ ^ 1].given_up &&
+               !(occlusion && sets_[fill_].valid)) ||
               (occlusion && refit(m, now)))) {
     planes_ = kPlanesBusy;
     planes_at_ = now + kPlanesCycles;
@@ -333,6 +330,12 @@ void Dopu::windows(const Machine& m, DopuCycle& cycle) {
   if (window_walked_) {
     sets_[walk_set_].fresh = false;
     walk_set_ ^= 1;
+    cycle.changed = true;
+  }
+  if (cycle.again >= 0) {
+    const auto set = static_cast<size_t>(cycle.again);
+    sets_[set].valid = sets_[set].given_up = false;
+    fill_ = walk_set_ = static_cast<uint8_t>(cycle.again);
     cycle.changed = true;
   }
   if (cycle.judged) {

@@ -52,6 +52,7 @@ struct DopuCycle {
   bool cell_taken = false;
   bool node_taken = false;             // dopu_origin takes what is shown
   bool judged = false, parts = false;  // the trial is over; it is given up
+  int again = -1;                      // nothing is left of this set, which was
   bool moved = false;                  // as the unit's clock counts it: it runs on
   bool changed = false;                // a register changed: the next cycle must be played
   Cycle next = kNever;                 // what comes by itself

@@ -43,6 +43,10 @@ void Nearest::step(DopuCycle& cycle, DopuSets& sets) {
   cycle.judged = many_groups_ || read || (counted && load_.fits());
   cycle.parts = many_groups_ || (read && load_.overfull());
   if (counted) judge_at_ = now + (load_.overfull() ? 4 + *load_.overfull() / kLoadWord : load_cycles_);
+  for (int s = 0; s < 2; ++s) {
+    if (complete_[2][static_cast<size_t>(s)] && sets[static_cast<size_t>(s)].given_up && queue_->idle())
+      cycle.again = s;
+  }
   enter(cycle, sets, is);
   if (cycle.judged) load_.clear(), many_groups_ = false, judge_at_ = kNever, cycle.changed = true;
   cycle.at(judge_at_);
@@ -69,6 +73,11 @@ void Nearest::step(DopuCycle& cycle, DopuSets& sets) {
     cycle.changed = true;
     complete_[l][static_cast<size_t>(set_[l])] = true;
     set_[l] ^= 1;
+  }
+  if (cycle.again >= 0) {
+    const auto set = static_cast<size_t>(cycle.again);
+    for (size_t l = 0; l < kLevels; ++l) complete_[l][set] = false, set_[l] = cycle.again;
+    cycle.moved = cycle.changed = true;
   }
   if (!in_test_.empty()) cycle.at(in_test_.front().due);
   cycle.at(queue_->next(now));
@@ -101,7 +110,7 @@ Nearest::Said Nearest::look(const DopuCycle& cycle, const DopuSets& sets) {
 
   // dopu_send
   const auto sent = static_cast<size_t>(send_set_);
-  const bool opened = complete_[2][sent];
+  const bool opened = complete_[2][sent] && !sets[sent].given_up;
   int unopened = none_;
   if (!complete_[0][sent]) {
     unopened = 0;

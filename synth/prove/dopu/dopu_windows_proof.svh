@@ -6,7 +6,7 @@
 //         and walked in that order, so that the first is the whole of the frame's first window, and behind a whole
 //         window or its last part comes the whole of the next one, row by row, up to the frame's last; behind a window
 //         that was given up its first part, behind that its next one. Where there are trials each whole window has one,
-//         and nothing is filled before it is over. The last walk of the frame is marked, but for one on trial. A set is
+//         and nothing is filled before it is over, nor while one that was given up is not empty. The last walk of the frame is marked, but for one on trial. A set is
 //         called done only if it was given up, or if every region of its own walk was done in the cycle before: never
 //         on account of a walk that it held earlier.
 //         With Occlusion planes of a set change only to those of its own walk, asked for with what pipegs_open said of
@@ -24,7 +24,8 @@ localparam int unsigned WalkW = PlaceW - 2 * WindowW;
 (* anyconst *) logic [PlaneBit-1:0]        bit_place;
 logic [1:0]         held_q, to_walk_q;  // sets filled and not released; not walked
 logic               filled_q;           // one of this frame
-logic [PlaceW-1:0]  place_before_q [2], newest;
+logic               given_up_q;         // the last one filled was given up
+logic [PlaceW-1:0]  place_before_q [2], newest_q;  // the last one filled
 logic [1:0]         valid_before_q, last_before_q, ends_before_q, bit_before_q, region_before_q, planes_bit, region_now;
 logic               judges_before_q;
 pipegs_pkg::rotation_t rotation_before_q;
@@ -100,18 +101,22 @@ always_ff @(posedge clk_i or negedge rst_ni) begin
     held_q         <= '0;
     to_walk_q      <= '0;
     filled_q       <= 1'b0;
+    given_up_q     <= 1'b0;
     valid_before_q <= '0;
     refit_before_q <= '0;
   end else begin
     refit_before_q <= {refit && refit_set, refit && !refit_set};
-    held_q         <= held_q + 2'(fill) - 2'(release_i);
+    held_q         <= held_q + 2'(fill) - 2'(release_i) - 2'(set_again_i != '0);
+    given_up_q     <= !start_i && !fill && (given_up_q || split);
     to_walk_q      <= to_walk_q + 2'(fill) - 2'(walked_i);
     filled_q       <= !start_i && (filled_q || fill);
     valid_before_q <= valid_q;
     if (release_i) valid_before_q[oldest_q] <= 1'b0;
+    for (int unsigned s = 0; s < 2; s += 1) if (set_again_i[s]) valid_before_q[s] <= 1'b0;
   end
 end
 always_ff @(posedge clk_i) begin
+  if (fill) newest_q <= place;
   if (window_valid && window_ready) asked_q <= \u_planes.window_i ;
   rotation_before_q <= rotation_i;
   lens_before_q     <= lens_i;
@@ -124,7 +129,6 @@ always_ff @(posedge clk_i) begin
   region_before_q <= region_now;
 end
 
-assign newest = place_q[!fill_q];
 logic idle;
 assign idle = !more_q && held_q == '0;
 always_comb begin
@@ -132,7 +136,8 @@ always_comb begin
   assume (!rst_ni || !start_i || idle);
   assume (!rst_ni || idle || frame_stays);
   assume (!rst_ni || !walked_i || set_valid_o[walk_q]);
-  assume (!rst_ni || !release_i || (held_q > to_walk_q && !set_judges_o[oldest_q]));
+  assume (!rst_ni || !release_i || (held_q > to_walk_q && !set_judges_o[oldest_q] && !set_given_o[oldest_q]));
+  assume (!rst_ni || set_again_i == '0 || (set_again_i == set_given_o && to_walk_q == '0));
   assume (!rst_ni || !judged_i || judges_q);
   if (rst_ni) begin
     assert (held_q <= 2'd2 && to_walk_q <= held_q);
@@ -154,7 +159,7 @@ always_comb begin
     assert (!refitting || !valid_q[refit_set] || !set_judges_o[refit_set]);
     // what is filled
     if (fill) begin
-      assert (!judges_q && more_q && (Whole || (known(place) && follows(filled_q, newest, given_q[!fill_q], place))));
+      assert (!judges_q && more_q && (Whole || (known(place) && follows(filled_q, newest_q, given_up_q, place))));
       assert (ends == ends_at(place) && last == (Whole || place[2*WindowW-1:0] == frame_last));
       assert (on_trial == (!Whole && WalkW != 0 && judges_i && walk_at(place) == 3'd0));
     end
@@ -164,14 +169,18 @@ always_comb begin
     assert (fill_q == oldest_q ^ held_q[0] && fill_q == walk_q ^ to_walk_q[0]);
     for (int unsigned s = 0; s < 2; s += 1) assert (!valid_before_q[s] || valid_q[s]);
     assert ((asking_q || refitting) == \u_planes.inside_q && (!asking_q || (more_q && !judges_q)));
-    assert (!judges_q || (held_q != '0 && more_q && filled_q && on_trial && place == newest && !given_q[!fill_q]));
+    assert (!judges_q || (held_q != '0 && more_q && filled_q && on_trial && place == newest_q && !given_up_q &&
+                          place_q[!fill_q] == newest_q));
+    assert (given_q == '0 || (given_up_q && !judges_q && !asking_q && more_q && held_q != '0 && to_walk_q <= 2'd1 &&
+                              given_q == {!fill_q, fill_q} && walk_at(newest_q) == 3'd0 && place_q[!fill_q] == newest_q));
+    assert (set_given_o == given_q);
     if (!Whole) begin
       for (int unsigned s = 0; s < 2; s += 1) begin
         assert (!valid_q[s] || (known(place_q[s]) && ends_q[s] == ends_at(place_q[s])));
       end
-      assert (!more_q || !filled_q || known(newest));
+        assert (!more_q || !filled_q || known(newest_q));
       assert (more_q || walk_at(place) == 3'd0);
-      if (more_q && !judges_q) assert (known(place) && follows(filled_q, newest, given_q[!fill_q], place));
+      if (more_q && !judges_q) assert (known(place) && follows(filled_q, newest_q, given_up_q, place));
     end
   end
 end
