@@ -10,7 +10,7 @@
 //         rule stands here alone: whatever is judged gives the same pixels.
 // Stream  judges_o: there are trials at all. group: one that passes; counted_i: all of the window have come, none in
 //         the same cycle or the one before. judged_o ends the trial, in parts_o how; the next one begins with a group.
-// Pace    A group per cycle; judged at once where all together is not too much, else after up to Words + 3 cycles.
+// Pace    A group per cycle; judged at once where all together is not too much, else after up to Words + 4 cycles.
 // Model   cpp_model/dopu/dopu_load.hpp
 
 module dopu_load #(
@@ -46,7 +46,7 @@ module dopu_load #(
   logic [SumW-1:0]         sum_q;     // chunks
   logic [PlaceW-1:0]       groups_q;
   logic [MostW-ChunkF-1:0] most;      // chunks that are not too much
-  logic                    fits, parts_q, whole_q, reading_q, over, last;
+  logic                    fits, parts_q, whole_q, counted_q, reading_q, over, last;
   logic                    come;      // a group of the window on trial
 
   assign most     = most_i[MostW-1:ChunkF];
@@ -62,27 +62,31 @@ module dopu_load #(
       groups_q  <= '0;
       parts_q   <= 1'b0;
       whole_q   <= 1'b0;
+      counted_q <= 1'b0;
       reading_q <= 1'b0;
     end else if (judged_o) begin
       sum_q     <= '0;
       groups_q  <= '0;
       parts_q   <= 1'b0;
       whole_q   <= 1'b0;
+      counted_q <= 1'b0;
       reading_q <= 1'b0;
     end else begin
       if (group_valid_i) begin
         sum_q    <= sum_q + SumW'(group_chunks_i);
         groups_q <= groups_q + 1'b1;
       end
-      if (counted_i) reading_q <= 1'b1;
+      counted_q <= counted_i;
+      if (counted_q) reading_q <= 1'b1;
       parts_q <= over || (group_valid_i && groups_q == PlaceW'(Places));
       whole_q <= last && !over;
     end
   end
 
   // --- groups by depth: in cycle 1 the words are read, in cycle 2 they are written -----------------------------------
-  logic                come1_q, come2_q;
-  logic [AddedW-1:0]   chunks1_q, chunks2_q;
+  logic                come0_q, come1_q, come2_q;
+  logic [AddedW-1:0]   chunks0_q, chunks1_q, chunks2_q;
+  logic [LoadW-1:0]    near0_q, far0_q;
   logic [LoadW:0]      behind;               // the bucket behind the group's last one, beyond all when that is the last
   logic [LoadW-1:0]    bucket1_q [2];        // 0: where it begins, 1: behind
   logic                within1_q, within2_q;  // there is one behind
@@ -90,15 +94,16 @@ module dopu_load #(
   logic                reads, read1_q, read2_q;
   logic [WordBits-1:0] words [2];           // in cycle 2
 
-  assign behind = {1'b0, group_far_i > group_near_i ? group_far_i : group_near_i} + 1'b1;
+  assign behind = {1'b0, far0_q > near0_q ? far0_q : near0_q} + 1'b1;
   assign reads  = reading_q && !word_q[WordW];
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
-      {come1_q, come2_q} <= '0;
+      {come0_q, come1_q, come2_q} <= '0;
       {read1_q, read2_q} <= '0;
       word_q             <= '0;
     end else begin
-      come1_q <= come;
+      come0_q <= come;
+      come1_q <= come0_q && !judged_o;
       come2_q <= come1_q && !judged_o;
       read1_q <= reads && !judged_o;
       read2_q <= read1_q && !judged_o;
@@ -107,10 +112,11 @@ module dopu_load #(
     end
   end
   always_ff @(posedge clk_i) begin
-    chunks1_q <= AddedW'(group_chunks_i);
+    {chunks0_q, near0_q, far0_q} <= {AddedW'(group_chunks_i), group_near_i, group_far_i};
+    chunks1_q <= chunks0_q;
     chunks2_q <= chunks1_q;
     {within1_q, bucket1_q[1]} <= {!behind[LoadW], behind[LoadW-1:0]};
-    bucket1_q[0] <= group_near_i;
+    bucket1_q[0] <= near0_q;
     within2_q    <= within1_q;
   end
 
@@ -179,7 +185,7 @@ module dopu_load #(
   assign unused_chunks = ^group_chunks_i;
 
 `ifndef SYNTHESIS
-  always_ff @(posedge clk_i) if (rst_ni) assert (!(counted_i && (group_valid_i || come1_q)));
+  always_ff @(posedge clk_i) if (rst_ni) assert (!(counted_i && (group_valid_i || come0_q)));
 `endif
 
 endmodule

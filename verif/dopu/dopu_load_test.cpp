@@ -47,7 +47,7 @@ class Trial {
     step(false);
     dut().counted_i = 1;
     const std::optional<int> overfull = load.overfull();
-    const int wait = load.fits() ? 0 : overfull ? 4 + *overfull / 4 : words + 3;
+    const int wait = load.fits() ? 0 : overfull ? 5 + *overfull / 4 : words + 4;
     for (int cycle = 0; cycle <= wait; ++cycle) {
       step(cycle == wait, overfull.has_value());
       if (testing::Test::HasFatalFailure()) return;

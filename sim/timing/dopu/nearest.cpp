@@ -26,7 +26,7 @@ Nearest::Nearest(const TimingTrace& trace, const Config& config)
       near_step_(dopu_depth_near(trace.config, trace.frame)),
       mark_shift_(config.depth_w - config.step_w()),
       load_(trace.config, trace.frame.walk_most),
-      load_cycles_((1 << trace.config.load_w()) / kLoadWord + 3),
+      load_cycles_((1 << trace.config.load_w()) / kLoadWord + 4),
       queue_(std::make_unique<NearestQueue>(config.nearest_nodes)),
       none_((1 << trace.config.bucket_w()) - 1),
       open_{Open(trace.frame.tables.groups, none_), Open(trace.frame.tables.chunks, none_)} {}
@@ -42,7 +42,7 @@ void Nearest::step(DopuCycle& cycle, DopuSets& sets) {
   const bool counted = is.through[1] && sets[static_cast<size_t>(set_[1])].judges, read = judge_at_ == now;
   cycle.judged = many_groups_ || read || (counted && load_.fits());
   cycle.parts = many_groups_ || (read && load_.overfull());
-  if (counted) judge_at_ = now + (load_.overfull() ? 4 + *load_.overfull() / kLoadWord : load_cycles_);
+  if (counted) judge_at_ = now + (load_.overfull() ? 5 + *load_.overfull() / kLoadWord : load_cycles_);
   enter(cycle, sets, is);
   if (cycle.judged) load_.clear(), many_groups_ = false, judge_at_ = kNever, cycle.changed = true;
   cycle.at(judge_at_);
