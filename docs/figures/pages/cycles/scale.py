@@ -18,16 +18,11 @@ def floor(scene):
     return frame(scene).work.blended / 64
 
 
-def moved(streams):
-    return sum(stream.read + stream.written for stream in streams.values())
-
-
 def scenes():
     """`fast`, a whole frame of each scene in RTL: cycles, multiple of the floor, share of the lanes, bytes by kind."""
 
     def megabytes(scene, kind):
-        stream = frame(scene).memory.by_stream[kind]
-        return (stream.read + stream.written) / 1e6
+        return total_bytes({kind: frame(scene).memory.by_stream[kind]}) / 1e6
 
     return listing(
         "scene",
@@ -48,7 +43,7 @@ def loads():
         return percent(sum(one[state] for one in units) / (len(units) * frame(scene).cycles))
 
     def pins(scene):
-        return percent(moved(frame(scene).memory.by_stream) / (PINS * frame(scene).cycles))
+        return percent(total_bytes(frame(scene).memory.by_stream) / (PINS * frame(scene).cycles))
 
     return listing(
         "busy",
@@ -63,7 +58,7 @@ def most_sorting():
     shares = {}
     for scene in SIX:
         streams = frame(scene).memory.by_stream
-        shares[scene] = (streams.sort_overflow.read + streams.sort_overflow.written) / moved(streams)
+        shares[scene] = total_bytes({"sort": streams.sort_overflow}) / total_bytes(streams)
     worst = max(shares, key=shares.get)
     return f"{percent(shares[worst], 1)} of all bytes, in {worst}"
 
@@ -85,7 +80,7 @@ def gains():
         [
             "`fast`",
             *[
-                f"{group(frame(scene).cycles)}, {fixed(moved(frame(scene).memory.by_stream) / 1e6, 1)} MB"
+                f"{group(frame(scene).cycles)}, {fixed(total_bytes(frame(scene).memory.by_stream) / 1e6, 1)} MB"
                 for scene in GAINED
             ],
         ]
