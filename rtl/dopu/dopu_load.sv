@@ -159,26 +159,29 @@ module dopu_load #(
   end
 
   // --- what each bucket of a word holds, from the nearest on ---------------------------------------------------------
-  logic [SumW-1:0] change [Word];    // from the bucket before
-  logic [SumW-1:0] rise_q [Word];    // from the word before
-  logic [SumW-1:0] before_q;         // the last bucket of the word before
+  logic [SumW-1:0] change [Word];  // from the bucket before
+  logic [SumW-1:0] first_q, second_q, third_q, fourth_q;  // of two buckets, then of two more: the change of one, of both
+  logic [SumW-1:0] before_q;       // the last bucket of the word before
   logic [SumW-1:0] load [Word];
 
   always_comb begin
-    over = 1'b0;
+    load[0] = before_q + first_q;
+    load[1] = before_q + second_q;
+    load[2] = load[1] + third_q;
+    load[3] = load[1] + fourth_q;
+    over    = 1'b0;
     for (int unsigned i = 0; i < Word; i += 1) begin
       change[i] = words[0][i*SumW +: SumW] - words[1][i*SumW +: SumW];
-      load[i]   = before_q + rise_q[i];
       if (read2_q && (MostW-ChunkF)'(load[i]) > most) over = 1'b1;
     end
   end
   assign last = read2_q && !read1_q;
   always_ff @(posedge clk_i) begin
-    rise_q[0] <= change[0];
-    rise_q[1] <= change[0] + change[1];
-    rise_q[2] <= change[0] + change[1] + change[2];
-    rise_q[3] <= (change[0] + change[1]) + (change[2] + change[3]);
-    before_q  <= read2_q ? load[Word-1] : '0;
+    first_q  <= change[0];
+    second_q <= change[0] + change[1];
+    third_q  <= change[2];
+    fourth_q <= change[2] + change[3];
+    before_q <= read2_q ? load[Word-1] : '0;
   end
 
   logic unused_chunks;  // no group has so many

@@ -78,7 +78,7 @@ module pu_parts (
   );
 
   // --- the walk: the conic stays at the input until its last part ----------------------------------------------------
-  logic             walking_q, data, none, start, step, pass, last_column, last, out_free, out_valid_q;
+  logic             walking_q, data, none, none_q, start, step, pass, last_column, last, out_free, out_valid_q;
   logic [AxisW-1:0] column_q, row_q, from_x_q, to_x_q, to_y_q;
 
   assign data        = conic_i.kind == pipegs_pkg::KindData;
@@ -96,13 +96,13 @@ module pu_parts (
   assign out_free    = !out_valid_q || placed_ready_i;
   assign start       = !walking_q && conic_valid_i && data;
   assign pass        = !walking_q && conic_valid_i && !data && out_free;
-  assign step        = walking_q && out_free;
+  assign step        = walking_q && !none_q && out_free;
   assign last_column = column_q == to_x_q;
   assign last        = step && last_column && row_q == to_y_q;
 
-  assign conic_ready_o = last || pass || (start && none);
+  assign conic_ready_o = last || pass || (walking_q && none_q);
   assign payload_take  = conic_ready_o && data;
-  assign moved_o       = start || step || pass;
+  assign moved_o       = start || step || conic_ready_o;
   assign busy_o        = walking_q || out_valid_q;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -110,13 +110,14 @@ module pu_parts (
       walking_q   <= 1'b0;
       out_valid_q <= 1'b0;
     end else begin
-      if (start && !none) walking_q <= 1'b1;
-      else if (last) walking_q <= 1'b0;
+      if (start) walking_q <= 1'b1;
+      else if (conic_ready_o) walking_q <= 1'b0;
       if (out_free) out_valid_q <= step || pass;
     end
   end
   always_ff @(posedge clk_i) begin
     if (start) begin
+      none_q                     <= none;
       {from_x_q, to_x_q, to_y_q} <= {begin_x, end_x, end_y};
       {column_q, row_q}          <= {begin_x, begin_y};
     end else if (step) begin

@@ -38,7 +38,7 @@ mutant dopu_load "the last group alone counts" "s/sum_q (\+ SumW'\(group)/\1/"
 mutant dopu_load "a group ends in its last bucket" "s/(group_near_i\}) \+ 1'b1/\1/"
 mutant dopu_load "a word that is just written is read" 's/again_q \? sums_q : //'
 mutant dopu_load "what a window held counts for the next one" 's/(else if \()judged_o\) some_q/\11'"'"'b0) some_q/'
-mutant dopu_load "the first bucket of a word alone is judged" 's/(load\[i\] *= before_q \+ rise_q)\[i\]/\1[0]/'
+mutant dopu_load "the first bucket of a word alone is judged" 's/(load\[)i(\]\) > most)/\10\2/'
 mutant dopu_rank "the farthest corner is taken for the nearest" 's/farthest_q <= farthest/farthest_q <= nearest/' \
        dopu_nearest_fast
 mutant dopu_test "the near plane's distance is taken off the farthest corner, too" \

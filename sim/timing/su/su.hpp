@@ -210,7 +210,7 @@ class Su {
   Collect collect_ = kCollect;
   uint8_t set_ = 0;
   std::array<bool, 2> closed_{};
-  SramQueue<Mark, 2 * (Config::window_marks() + 1)> marks_;
+  Queue<Mark, 2 * (Config::window_marks() + 1), 3> marks_;  // the one in front stands in registers
 
   // su_buckets
   Operation operation_ = kNone;
