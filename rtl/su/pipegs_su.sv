@@ -56,7 +56,7 @@ module pipegs_su (
   logic                     write, free, empty, chain_valid, chain_ready, split_idle, link, link_ready;
   logic                     mark_valid, mark_first, mark_ready, drained, settled, gather_moves;
   logic                     spill_start, spill_valid, spill_ready, spill_ended, spill_sent, spill_done, job_valid;
-  logic                     job_done, spill_stay, returns, refill_ready;
+  logic                     job_done, spill_stay, refills, returns, refill_ready;
   logic [RecordW-1:0]       slot, free_slot, link_slot, link_to;
   logic                     back_valid;
   pipegs_pkg::splat_t       record;
@@ -94,6 +94,7 @@ module pipegs_su (
     .spill_ready_i(spill_ready),
     .spill_ended_o(spill_ended),
     .spill_stay_i(spill_stay),
+    .renew_i(refills),
     .returns_i(returns),
     .back_valid_i(back_valid),
     .back_ready_o(refill_ready),
@@ -188,7 +189,6 @@ module pipegs_su (
     .spilled_i(spilled),
     .keep_i(keep),
     .all_sent_i(all_sent),
-    .external_i(external),
     .mark_valid_i(mark_valid),
     .mark_i(mark),
     .mark_first_o(mark_first),
@@ -237,6 +237,7 @@ module pipegs_su (
       .mark_i(mark),
       .done_i(spill_sent),
       .stay_o(spill_stay),
+      .refills_o(refills),
       .returns_o(returns),
       .end_o(spill_done),
       .job_valid_o(job_valid),
@@ -286,7 +287,7 @@ module pipegs_su (
   end else begin : gen_room
     assign {job_valid, divert, spilled, keep, all_sent, spill_ready, kept_ready, back_ready, group_valid} = '0;
     assign {merged_valid, merged_key, merged_slot} = '0;
-    assign {read_ready, line_valid, line, spill_stay, returns, spill_done} = '0;
+    assign {read_ready, line_valid, line, spill_stay, refills, returns, spill_done} = '0;
     assign {mem_valid_o, mem_write_o, mem_address_o, mem_data_o} = '0;
     assign {overflow_o, port_waits, overflow_moves, port_active} = '0;
     assign {full_o, full_line_o} = '0;

@@ -48,7 +48,8 @@ module su_gather #(
   input  logic                  spill_ready_i,
   output logic                  spill_ended_o,
   input  logic                  spill_stay_i,   // its mark has left; the set goes on spilling ...
-  input  logic                  returns_i,      // ... or what is left of it comes back instead of what comes in ...
+  input  logic                  renew_i,        // ... or what is left of it will take slots from 0 on ...
+  input  logic                  returns_i,      // ... and comes back instead of what comes in ...
   input  logic                  back_valid_i,
   output logic                  back_ready_o,
   input  pipegs_pkg::splat_t    back_i,
@@ -100,6 +101,7 @@ module su_gather #(
   pipegs_slot_pool #(.Slots(pipegs_pkg::Records)) u_slots (
     .clk_i,
     .rst_ni,
+    .renew_i,
     .slot_valid_o(slot_valid),
     .slot_ready_i(write_o),
     .slot_o,

@@ -24,7 +24,6 @@ module su_output #(
   input  logic                     spilled_i,       // the keys are of a set that spilled
   input  logic                     keep_i,          // it is still being sorted: they go to kept
   input  logic                     all_sent_i,      // no more of them come
-  input  pipegs_pkg::su_external_t external_i,
   input  logic                     mark_valid_i,
   input  pipegs_pkg::su_mark_t     mark_i,
   output logic                     mark_first_o,
@@ -76,9 +75,6 @@ module su_output #(
     .item_slot_i(mark_first_o ? RecordW'(mark_i.kind) : item_i.slot),
     .spilled_i,
     .keep_i,
-    .number_write_i(external_i.write),
-    .number_slot_i(external_i.slot),
-    .number_i(external_i.number),
     .kept_valid_o,
     .kept_ready_i,
     .kept_number_o,
@@ -102,8 +98,8 @@ module su_output #(
   assign back_valid_o = valid && divert_i;
   assign out_valid_o  = valid && !divert_i;
 
-  logic unused;  // the key is the stores'
-  assign unused = &{1'b0, external_i, mark_i};
+  logic unused;  // its bucket
+  assign unused = &{1'b0, mark_i};
 
 `ifndef SYNTHESIS
   pipegs_stream_check u_check_back (

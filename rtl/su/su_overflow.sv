@@ -31,7 +31,8 @@ module su_overflow #(
   input  pipegs_pkg::su_mark_t         mark_i,
   input  logic                         done_i,     // the mark has left
   output logic                         stay_o,     // the set goes on spilling ...
-  output logic                         returns_o,  // ... or what is left comes out of su_emit, and goes to the pool
+  output logic                         refills_o,  // ... or what is left is looked up, then ...
+  output logic                         returns_o,  // ... what is left comes out of su_emit, and goes to the pool
   output logic                         end_o,      // ... or nothing of it is in memory
   output logic                         job_valid_o,
   input  logic                         job_done_i,
@@ -150,6 +151,7 @@ module su_overflow #(
     .refill_i(refill),
     .end_i(end_o),
     .idle_i(drained_i),
+    .refills_o,
     .returns_o,
     .returned_o(returned),
     .read_valid_o(fetch_valid),

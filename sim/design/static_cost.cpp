@@ -37,7 +37,6 @@ void add_buffers(const Config& c, StaticCost& cost) {
   const int stack = c.records / 8 + c.key_w() / 4 + 2;  // groups that may wait
   if (c.large_groups)
     add("SU u_split.u_stack", "sorter", 2 * c.record_w() + 1 + clog2(c.key_w()), power_of_two(stack + 1), units);
-  if (c.overflow) add("SU u_emit.u_numbers", "overflow", c.slot_w(), c.records, units);
   add("SU u_emit.u_waiting", "sorter", c.kind_w() + 1 + c.record_w() + c.key_w(), c.su_waiting(), units);
   if (c.overflow) {
     const int ways = c.su_ways(), line = clog2(c.su_way_lines());

@@ -119,8 +119,8 @@ mutant "the halves do not change roles" 's/half_q <= !half_q/half_q <= half_q/'
 proof  slot_pool "pipegs_slot_pool+ free_sram_fifo" "Slots=8; Slots=2; Slots=1024"
 mutant "a slot never used is not counted" 's/if \(take \&\& fresh\) fresh_q/if (take \&\& fresh \&\& !free_i) fresh_q/'
 mutant "the queue loses its head while new slots are left" \
-       's/out_ready_i\(slot_ready_i \&\& !fresh\)/out_ready_i(slot_ready_i)/'
-mutant "a slot that comes back stays counted as used" 's/(if \(free_i) \&\& !take(\) used_q)/\1 \&\& fresh\2/'
+       's/(slot_ready_i) \&\& !fresh\)/\1)/'
+mutant "a slot that comes back stays counted as used" 's/(if \(take != free_i)(\) used_q)/\1 \&\& fresh\2/'
 
 # --- rtl/mem ----------------------------------------------------------------------------------------------------------
 # Small queues, then that of the machine.

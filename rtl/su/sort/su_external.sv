@@ -35,6 +35,7 @@ module su_external #(
   input  logic                     refill_i,  // ... to return to the pool
   input  logic                     end_i,     // nothing is left
   input  logic                     idle_i,    // nothing is behind the sorter
+  output logic                     refills_o, // what returns is looked up
   output logic                     returns_o, // items are of what returns
   output logic                     returned_o,
 
@@ -114,6 +115,7 @@ module su_external #(
     .group_o,
     .written_i(written),
     .idle_i,
+    .refills_o,
     .returns_o,
     .returned_o,
     .item_valid_o(return_valid),

@@ -47,6 +47,7 @@ module su_runs (
   input  logic                           written_i,
 
   input  logic                           idle_i,
+  output logic                           refills_o,      // what returns is looked up in the list
   output logic                           returns_o,
   output logic                           returned_o,     // all of it is in the pool
   output logic                           item_valid_o,
@@ -73,7 +74,8 @@ module su_runs (
 
   logic [SlotW-1:0]     asked_q, seen_q;  // lines asked for, keys looked at
   logic [SlotW-1:0]     lines, formed_q, rest_q;
-  logic [SumW-1:0]      filled_q;         // keys in the pool; of what returns, those still to be shown
+  logic [SumW-1:0]      filled_q;         // keys in the pool; of what returns, those still to be shown ...
+  logic [SumW-2:0]      shown_q;          // ... and those that were
   logic [LinePartW-1:0] part;
   logic                 begins, full, through, look, leaves, stays, refill_q;
   logic [KeyW-1:0]      key, min, max;
@@ -137,9 +139,10 @@ module su_runs (
   assign rest_o        = rest_q;
 
   // --- what returns -------------------------------------------------------------------------------------------------
+  assign refills_o    = refill_q && closed_i && state_q == Load;
   assign returns_o    = state_q == Return;
   assign item_valid_o = returns_o && filled_q != '0;
-  assign item_slot_o  = filled_q[SumW-2:0] - 1'b1;
+  assign item_slot_o  = shown_q;  // a record that has come takes none whose number is still to be shown
   assign returned_o   = returns_o && filled_q == '0 && idle_i;
 
   always_comb begin
@@ -177,6 +180,8 @@ module su_runs (
 
   always_ff @(posedge clk_i) begin
     if (read_ready_i) asked_q <= asked_q + 1'b1;
+    if (state_q == Load) shown_q <= '0;
+    else if (item_ready_i) shown_q <= shown_q + 1'b1;
     if (look) seen_q <= seen_q + 1'b1;
     if (look && stays) rest_q <= rest_q + 1'b1;
     if (state_q == Group) formed_q <= formed_q + SlotW'(filled_q);

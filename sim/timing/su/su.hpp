@@ -118,7 +118,7 @@ class Su {
   };
   struct External {
     Form form = kLoad;         // su_runs
-    std::vector<Sorted> pool;  // of the run, or of what returns
+    std::deque<Sorted> pool;   // of the run, or of what returns
     uint32_t asked = 0, seen = 0, formed = 0, rest = 0, from = 0;
     bool refill = false;
     Level level = kForm;  // su_levels
@@ -164,7 +164,7 @@ class Su {
   bool keys_listed(bool shown) const;
   bool fetches(Cycle now) const;
   const Sorted& item() const {
-    return returns() ? external_.pool.back() : external_.item() ? external_.rising.item : batches_.front().item;
+    return returns() ? external_.pool.front() : external_.item() ? external_.rising.item : batches_.front().item;
   }
   uint64_t overflow_line(const Machine& m, Area area, uint64_t line) const;
 

@@ -115,7 +115,7 @@ void Su::form_runs(Cycle now, const Now& is, bool line, bool written) {
       if (written) e.form = kLoad, e.pool.clear();
       break;
     case kReturn:
-      if (is.item_goes) e.pool.pop_back();
+      if (is.item_goes) e.pool.pop_front();
       if (is.returned) e.form = kLoad;
       break;
   }

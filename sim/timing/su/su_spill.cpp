@@ -125,6 +125,7 @@ void Su::spill(const Machine& m, const Now& is) {
   }
   if (spill_ != before) moved_ = true;
   if (is.spill_start) records_out_.clear();
+  if (spill_ == kRefill && external_.form == kLoad) fresh_ = back_ = 0;  // slots from 0 on for what returns
   if (is.spill_start || is.stay) keys_sent_ = false;
 }
 

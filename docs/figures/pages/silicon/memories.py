@@ -21,7 +21,6 @@ WHERE = [  # unit, place without generate blocks and the SU's wiring, what it ho
     ("SU", "u_split.u_stack", "groups that wait", "sorter"),
     ("SU", "u_su.u_marks", "ends that wait", "sorter"),
     ("SU", "u_su.u_chains", "released chains", "sorter"),
-    ("SU", "u_emit.u_numbers", "record numbers, only sets that spilled", "overflow"),
     ("SU", "u_emit.u_waiting", "sorted keys whose records are fetched", "sorter"),
     ("SU", "u_port.u_answers", "lines read back, only sets that spilled", "overflow"),
     ("SU", "u_port.u_owners", "whose these are", "overflow"),
