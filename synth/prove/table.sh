@@ -120,6 +120,7 @@ proof  slot_pool "pipegs_slot_pool+ free_sram_fifo" "Slots=8; Slots=2; Slots=102
 mutant "a slot never used is not counted" 's/if \(take \&\& fresh\) fresh_q/if (take \&\& fresh \&\& !free_i) fresh_q/'
 mutant "the queue loses its head while new slots are left" \
        's/(slot_ready_i) \&\& !fresh\)/\1)/'
+mutant "slots go on where they were when they are renewed" "s/if \(renew_i\) fresh_q <= '0;/if (1'b0) fresh_q <= '0;/"
 mutant "a slot that comes back stays counted as used" 's/(if \(take != free_i)(\) used_q)/\1 \&\& fresh\2/'
 
 # --- rtl/mem ----------------------------------------------------------------------------------------------------------
