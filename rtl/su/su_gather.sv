@@ -98,6 +98,15 @@ module su_gather #(
   );
   assign insert_bucket = returns_i ? back_bucket : bucket;
 
+  // A slot comes back when its record is taken from all SUs' nearest: a register ends that path.
+  logic               free_q;
+  logic [RecordW-1:0] free_slot_q;
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) free_q <= 1'b0;
+    else free_q <= free_i;
+  end
+  always_ff @(posedge clk_i) free_slot_q <= free_slot_i;
+
   pipegs_slot_pool #(.Slots(pipegs_pkg::Records)) u_slots (
     .clk_i,
     .rst_ni,
@@ -105,8 +114,8 @@ module su_gather #(
     .slot_valid_o(slot_valid),
     .slot_ready_i(write_o),
     .slot_o,
-    .free_i,
-    .free_slot_i,
+    .free_i(free_q),
+    .free_slot_i(free_slot_q),
     .used_o(used),
     .active_o(pool_active)
   );

@@ -204,6 +204,7 @@ class Su {
   int fresh_ = 0, used_ = 0, back_ = 0;  // back_: slots that came back
   std::array<Cycle, 4> back_at_{};       // when the latest did
   int back_next_ = 0;
+  uint32_t freed_ = kNil;  // slot that becomes free in the next cycle
   Cycle back_pop_ = kLongAgo;
 
   // su_collect

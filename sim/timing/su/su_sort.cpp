@@ -15,17 +15,20 @@ int sort_cycles(int keys) { return keys <= 1 ? 0 : keys <= 2 ? 1 : keys <= 4 ? 3
 // --- su_emit ---------------------------------------------------------------------------------------------------------
 
 void Su::emit(Cycle now, const Now& is) {
+  if (freed_ != kNil) {
+    free_slots_.push_back(freed_);
+    ++back_;
+    back_at_[static_cast<size_t>(back_next_++) & 3] = now;
+    --used_;
+    freed_ = kNil;
+    moved_ = true;
+  }
   // From the queue to the output; the record's slot becomes free.
   if (!out_.valid && waiting_.valid(now)) {
     const Entry& entry = waiting_.front();
     out_outside_ = entry.outside;
     out_.set(out_outside_ ? kNever : now + 1, entry.item);
-    if (entry.slot != kNil) {
-      free_slots_.push_back(entry.slot);
-      ++back_;
-      back_at_[static_cast<size_t>(back_next_++) & 3] = now;
-      --used_;
-    }
+    freed_ = entry.slot;
     waiting_.pop(now);
     moved_ = true;
   }
