@@ -117,8 +117,8 @@ class Su {
     int held = 0, ready = 0;          // lines
   };
   struct External {
-    Form form = kLoad;         // su_runs
-    std::deque<Sorted> pool;   // of the run, or of what returns
+    Form form = kLoad;        // su_runs
+    std::deque<Sorted> pool;  // of the run, or of what returns
     uint32_t asked = 0, seen = 0, formed = 0, rest = 0, from = 0;
     bool refill = false;
     Level level = kForm;  // su_levels
