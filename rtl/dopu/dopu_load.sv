@@ -160,7 +160,7 @@ module dopu_load #(
 
   // --- what each bucket of a word holds, from the nearest on ---------------------------------------------------------
   logic [SumW-1:0] change [Word];  // from the bucket before
-  logic [SumW-1:0] first_q, second_q, third_q, fourth_q;  // of two buckets, then of two more: the change of one, of both
+  logic [SumW-1:0] first_q, second_q, third_q, fourth_q;  // changes: one bucket's, two's; again of the next two
   logic [SumW-1:0] before_q;       // the last bucket of the word before
   logic [SumW-1:0] load [Word];
 

@@ -3,8 +3,8 @@
 //
 // Paper   Sec. 4.2.2 (the sorter's buffers).
 // Idea    Three memories of Records words. The splitter never waits for a link: buckets link when it does not claim the
-//         port. Keys of a set that spilled are a chain from the last slot to the first, with the numbers of their records
-//         in place of these; nobody else is there then.
+//         port. Keys of a set that spilled are a chain from the last slot to the first, with the numbers of their
+//         records in place of these; nobody else is there then.
 // Stream  writes of a collected record, of a key that comes back, of a link; reads of key and link, and of the
 //         rest.
 // Pace    One access of each kind per cycle, data one cycle later.
