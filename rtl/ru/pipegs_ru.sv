@@ -83,7 +83,7 @@ module pipegs_ru #(
   localparam int unsigned Words    = Regions / Units * 4;
   localparam int unsigned AddrW    = $clog2(Words);
 
-  // --- the queue: of a splat's mask one bit of Units, which this RU owns, where nobody counts the others --------------
+  // --- the queue: of a splat's mask one bit of Units, which this RU owns, where nobody counts the others -------------
   localparam int unsigned MaskW  = pipegs_pkg::MaskW;
   localparam int unsigned Shared = pipegs_pkg::Quads == 0 ? 1 : Units;  // bits of a mask that are kept as one
   localparam int unsigned KeptW  = MaskW / Shared;

@@ -4,9 +4,9 @@
 // Idea    Sorted keys wait in a queue while their records are fetched: from the pool when their turn comes, which frees
 //         the slot, from external memory as soon as they enter the queue, so that up to 32 fetches overlap. A key of a
 //         set that spilled has a record number of its own, which lies where a record would; while that set is still
-//         being sorted key and number go back to external memory. Ends walk through the queue behind their layer, so the next
-//         layer is sorted meanwhile; none enters before all records of its layer were asked for, which the next set
-//         may overwrite.
+//         being sorted key and number go back to external memory. Ends walk through the queue behind their layer, so
+//         the next layer is sorted meanwhile; none enters before all records of its layer were asked for, which the
+//         next set may overwrite.
 // Stream  item: keys with slots in order, or an end with its kind as slot. out: splats. free: a slot whose record was
 //         read.
 // Pace    One splat per cycle; of a set that spilled one in three cycles, or as fast as the memory takes requests.
