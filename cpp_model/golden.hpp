@@ -27,7 +27,7 @@ namespace pipegs {
 
 // Counts of the work that a frame asks for, independent of timing.
 struct Work {
-  uint64_t fetched = 0;  // (Gaussian, window) pairs streamed into the PUs
+  uint64_t fetched = 0;  // (Gaussian, walk) pairs streamed into the PUs
   uint64_t visible = 0;  // of these, left by the cull
   uint64_t records = 0;  // of these, with at least one region: (Gaussian, part of a window) pairs that are sorted
   uint64_t regions = 0;  // (Gaussian, region) pairs whose alphas are computed
@@ -37,7 +37,7 @@ struct Work {
   uint64_t alphas = 0;   // 64 per region
   uint64_t blended = 0;  // (Gaussian, pixel) pairs that changed a pixel
   uint64_t keys = 0;     // keys sorted
-  uint64_t chunks = 0;   // (chunk, window) pairs fetched
+  uint64_t chunks = 0;   // (chunk, walk) pairs fetched
   uint64_t layers = 0;   // (layer, window) pairs with at least one chunk
   uint64_t windows = 0;
   Work& operator+=(const Work& other);

@@ -21,9 +21,9 @@ import points
 import synth
 from jobs import Failed, Jobs
 
-# Every knob that moves gates: of `pipegs accuracy`, of `pipegs study shapes`, and of the design points. Each at a value
-# that none of DESIGN_POINTS has, or at each of its values where it has no more. Without spherical harmonics whole
-# blocks are gone.
+# Every knob that moves gates: of `pipegs accuracy`, of `pipegs study shapes`, and of the design points, but for those
+# that make another kind of machine (sim/silicon/area/machine_kind.hpp). Each at a value that none of DESIGN_POINTS has,
+# or at each of its values where it has no more. Without spherical harmonics whole blocks are gone.
 KNOBS = [
     "coeff_f=22",
     "power_f=16",

@@ -21,7 +21,7 @@ inline constexpr int kPuStages = 0
 
 struct PuStage {
   std::string_view name, camel_name;
-  int depth, claim;         // of pu_phases; 0 for another stage
+  int depth, claim;         // of pu_phases; 0 for a PIPEGS_STAGE
   int begin, free, result;  // cycles: see stages.def; free is negative where the next is taken before this one claims
   int places;               // Gaussians in it at most, that at its output among them
   bool built;               // the configuration has it

@@ -414,7 +414,7 @@ void StreamCheck::expect_mask(const Place& place, const Mismatch& where, const S
        fmt::format("{:016x}", found));
 }
 
-// A watermark: it may only rise, and no later splat of the window lies below it.
+// A watermark: it may only rise, and no later splat of the walk lies below it.
 void StreamCheck::on_mark(int unit, const Place& place, const Splat& mark) {
   uint64_t& last = marks_[static_cast<size_t>(unit)];
   if (mark.depth < last) {

@@ -5,8 +5,8 @@
 //           DOPU -> PU    every chunk equals the one of the bit-accurate model and comes once; all come unless the
 //                         whole walk is done, or with Occlusion every region of each of its Gaussians was done before
 //                         that one's turn
-//           PU -> SU      (with lists: list -> SU) every splat equals the golden one; regions may be missing only
-//                         where the window is done there
+//           PU -> SU      (with lists: list -> SU) every splat equals the golden one and comes in a walk of its part;
+//                         regions may be missing only where the window is done there; every walk ends
 //           merge -> RU   the order equals the golden order, layer by layer
 //           alphas        the line (or quad) that an RU starts to blend equals the golden codes of that Gaussian there;
 //                         each line of the sorted stream comes once, in its order

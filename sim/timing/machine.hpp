@@ -43,7 +43,7 @@ enum Unit : int {
   kExpand,     // with lists, or with parts pu_parts
   kListColor,  // with lists, instead of kColor
   kConic,
-  kProject,  // pu_project, and the stages behind it up to pu_covariance
+  kProject,  // pu_project, and the stages behind it up to what kConic plays or shows
   kDeal,
   kReach,  // with TightCull
   kCull,
@@ -78,7 +78,7 @@ struct Machine {
   Deal deal;
   Dopu dopu;
 
-  // Set by the RUs, seen by others: windows and layers that they finished.
+  // Set by the RUs, seen by others: windows and layers that they finished, and what is open.
   LayerFree layer_free;
   OpenRegister open;
   std::vector<Cycle> window_ends;  // when the end of each window left the merge

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // load_test: one window with far more splats than the Sorting Units hold, on the timing model.
 //
-// Rule    Cycles and bytes of a splat do not depend on how the depths are spread, and hardly on how many there are: a
-//         set that does not fit is merged from memory in n log n, and each of its records moves there and back once.
-// Prints  a line for each number of splats, with all spreads: docs/cycles/cycles.md shows them.
+// Rule    Cycles and bytes of a splat hardly depend on how the depths are spread, nor on how many there are: a set that
+//         does not fit is merged from memory in n log n, and each of its records moves there and back at most twice.
+// Prints  a line for each number of splats, with all spreads: docs/cycles/scale.md shows them.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -53,7 +53,7 @@ struct Cost {
   double cycles = 0, sorting = 0;  // of a splat; bytes of the sort overflow
 };
 
-// By `fast`: exact order, windows of 128 pixels, so that all of them are one set.
+// By `fast`: exact order, windows of 128 pixels. What is too much at one depth for one set goes part by part.
 Cost cost(const std::string& name, size_t count) {
   SimulateOptions options;
   options.memory.dram = "lpddr5-6400x4";

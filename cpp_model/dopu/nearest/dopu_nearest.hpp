@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// dopu_nearest: which chunks of a window go to the PUs, each with its bucket of depth, when the nearest goes first.
+// dopu_nearest: which chunks of a walk go to the PUs, each with its bucket of depth, when the nearest goes first.
 //
 // Paper   None: instead of the layers of Sec. 3.2.        RTL  rtl/dopu/nearest/dopu_nearest.sv
 // Idea    The walk is that of dopu_window, but a node is tested with what its parent's bucket says (dopu_hull): beyond

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// dopu.hpp: the DOPU in the timing model: the walk of the windows, from cells down to chunks.
+// dopu.hpp: the DOPU in the timing model: the walks of the windows, from cells down to chunks.
 //
 // RTL     rtl/dopu/: dopu_windows, dopu_cells, dopu_origin, dopu_emit; descend.hpp, nearest.hpp.
 // Idea    Which nodes pass, and which windows go by parts, is in the trace; here is only when. The unit plays its
@@ -105,12 +105,12 @@ class Dopu {
   bool window_walked_ = false;
 
   // dopu_windows
-  std::array<bool, 2> done_{};  // of the set's window, whether or not it is still needed
+  std::array<bool, 2> done_{};  // of the set's walk, whether or not it is still needed
   uint8_t fill_ = 0, oldest_ = 0;
   size_t next_walk_ = 0;
   enum Planes { kPlanesIdle, kPlanesBusy, kPlanesReady } planes_ = kPlanesIdle;
   Cycle planes_at_ = 1;
-  bool refit_ = false;  // they are those of a set that has some (Occlusion)
+  bool refit_ = false;  // they are made anew for a set that has some (Occlusion)
   size_t refit_set_ = 0;
   Closed refit_closed_;
 };

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // nearest.hpp: from cells down to chunks in the timing model, the nearest first (order 2).
 //
-// RTL     rtl/dopu/nearest/dopu_nearest.sv, dopu_rank.sv, dopu_bucket.sv, dopu_open.sv, dopu_send.sv.
+// RTL     rtl/dopu/nearest/dopu_nearest.sv, dopu_rank.sv, dopu_bucket.sv, dopu_open.sv, dopu_send.sv;
+//         rtl/dopu/dopu_load.sv.
 // Idea    Which nodes pass, and in which bucket of depth, is in the trace; here is only when. The registers are played
 //         cycle by cycle while something moves: first what every part says in this cycle, then what it becomes.
 #pragma once

@@ -2,7 +2,7 @@
 // phases.hpp: the stages of a PU that keep a record for some cycles, one behind the other, in the timing model.
 //
 // RTL     rtl/pu/pu_shape.sv, with the stages of cpp_model/pu/stages.def: most of them on rtl/pu/pu_phases.sv, one is
-//         shorter.
+//         shorter. At a pace of four cycles those of rtl/pu/four/, pu_four_coeff by itself.
 // Idea    What a stage does follows from when it got its records and when its former result was taken:
 //           take  = max(ready, the record is there)
 //           claim = max(take + begin, former result taken)
@@ -33,7 +33,7 @@ class Phases {
     }
   }
 
-  // The last result: conic takes it, then says so.
+  // The last result: who takes it says so.
   Output<Beat> out;
   bool taken(Cycle now) {  // tells whether there is another result
     stages_[0].result = false;

@@ -20,7 +20,7 @@ namespace pipegs::timing {
 
 struct Machine;
 
-// pu_conic.sv, pu_coeff.sv: slots with a front record.
+// pu_conic.sv, pu_coeff.sv, at a pace of eight cycles: slots with a front record.
 struct SlotStage {
   bool active = false, fresh = false, front_valid = false;
   Beat front = 0;

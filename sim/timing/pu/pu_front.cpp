@@ -130,7 +130,7 @@ void Pu::reach(Machine& m, Cycle now) {
   m.wheel.wake(unit(kDeal), culled.from);
 }
 
-// --- stages of eight cycles ------------------------------------------------------------------------------------------
+// --- stages of eight or four cycles ----------------------------------------------------------------------------------
 
 void Pu::project(Machine& m, Cycle now) {
   if (visible.empty() || !phases_.can_take()) return;  // pu_deal, or pu_conic wakes us

@@ -119,6 +119,8 @@ class Su {
   struct External {
     Form form = kLoad;        // su_runs
     std::deque<Sorted> pool;  // of the run, or of what returns
+    // Lines of the list asked for; its keys seen, in runs, left for later; the bucket before which all were sent; what
+    // is left returns.
     uint32_t asked = 0, seen = 0, formed = 0, rest = 0, from = 0;
     bool refill = false;
     Level level = kForm;  // su_levels

@@ -23,7 +23,7 @@ void Su::emit(Cycle now, const Now& is) {
     freed_ = kNil;
     moved_ = true;
   }
-  // From the queue to the output; the record's slot becomes free.
+  // From the queue to the output; the record's slot becomes free in the next cycle.
   if (!out_.valid && waiting_.valid(now)) {
     const Entry& entry = waiting_.front();
     out_outside_ = entry.outside;
