@@ -2,7 +2,8 @@
 // pipegs_front: from the scene to splats: the DOPU, the PUs, and the deal between the two halves of a PU.
 //
 // Paper   Fig. 7 (left), Sec. 4.1, 4.2.1, Table 2.
-// Idea    DOPU -> PU[k] (with pu_deal between cull and projection) -> splats. A clock gate per unit. Only wiring here.
+// Idea    DOPU -> PU[k] (with pu_deal between cull and projection) -> splats. With Occlusion pipegs_open tells the DOPU
+//         and the culls which regions are still open. A clock gate per unit. Only wiring here.
 // Stream  restart_i with a frame_i that is constant until busy_o falls; reads and lines of alphas that found no room go
 //         to external memory; splats out, one stream per PU; lines of alphas to the stores.
 // Model   preprocess() in cpp_model/golden.cpp

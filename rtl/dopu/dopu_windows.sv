@@ -32,7 +32,7 @@ module dopu_windows (
 
   output logic [1:0]                            set_valid_o,  // filled and not walked yet
   input  logic                                  walked_i,     // all cells of the next one are on their way
-  output logic [1:0]                            set_last_o,   // the frame's last window
+  output logic [1:0]                            set_last_o,   // the frame's last walk, but for one on trial
   output logic [1:0]                            set_done_o,   // nothing of it can be seen any more
   output logic                                  done_news_o,  // that changes with this cycle's end; or planes are made
   output logic [1:0]                            set_ends_o,   // the last walk of its window

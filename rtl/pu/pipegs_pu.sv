@@ -2,7 +2,7 @@
 // pipegs_pu: one Preprocessing Unit: Gaussians of a window in, sorted-to-be splats and their lines of alphas out.
 //
 // Paper   Fig. 7 (PU), Sec. 4.2.1, Eq. 3, Table 2 (eight Row Units).
-// Idea    front (fetch and cull) -> (pu_deal, shared by all PUs) -> queue -> shape (the projection, eight stages) ->
+// Idea    front (fetch and cull) -> (pu_deal, shared by all PUs) -> queue -> shape (the projection, stage by stage) ->
 //         back (regions, colour, alphas). Wiring, and the clock that stops when nothing moves. PuFronts of the PUs have
 //         a front; the others take what pu_deal gives them, and the ends.
 // Stream  chunk in; splat out; lines to the lane's alpha store; three ports to external memory.

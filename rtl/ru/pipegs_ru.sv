@@ -5,7 +5,7 @@
 // Idea    queue -> blending and its pixel buffer: ru_whole -> ru_resolve, or with Quads ru_live. ru_window knows where
 //         in the frame the RU is; ru_join brings its rows together with those of the RU that shares their lines, in
 //         raster order; ru_memory joins alpha reads and pixel writes. Only wiring here.
-// Stream  sorted_t in; alpha stores and external memory beside it; done feedback to the PUs.
+// Stream  sorted_t in; alpha stores and external memory beside it; done feedback to the DOPU and the PUs.
 // Pace    Four cycles per region, or one per live quad of each group; pixels are written meanwhile.
 // Model   cpp_model/ru/ru.hpp
 

@@ -21,7 +21,7 @@ module pu_four_covariance (
   input  logic                     squares_valid_i,
   output logic                     squares_ready_o,
   input  pipegs_pkg::squares_t     squares_i,
-  input  pipegs_pkg::center_t      center_i,       // of the Gaussian in its last phase, in the same order
+  input  pipegs_pkg::center_t      center_i,       // of the Gaussian that claims the output, in order
   output logic                     center_take_o,
 
   output logic                     covariance_valid_o,

@@ -2,7 +2,7 @@
 // pu_four_project: pu_project in four cycles: mean, 1/z, tangents, depth key and direction.
 //
 // Paper   Sec. 2.1, EWA projection of the mean; depth of the sort key.
-// Idea    Each unit is used four times for a Gaussian, so none is there twice but the direction's shift:
+// Idea    Normaliser and multiplier are used four times for a Gaussian. Only the direction's shift is there twice:
 //           cycle      0  1      2     3     4  5     6     7     8      9      10        11
 //           normalise  z  any    x     y
 //           recip         1/z ------------->

@@ -5,10 +5,10 @@
 // Idea    view = origin + W offset; keep iff z > near (unless NearTest is 0) and fx x - a z + reach s >= 0 and the same
 //         on the three other sides. x, z, s are cut to 17 bits with a common exponent, always to the side that keeps
 //         (see the model). Two sides make an axis (pu_cull_axis). Stages, behind a register of what comes:
-//           1 nine products   2 sums       3 shift to view units   4 view; edges   5 near plane; common exponent
+//           1 nine products   2 sums       3 shift to view units   4 view   5 edges; near plane; common exponent
 //           6 cut             7 six products                       8 four signs -> output
 //         With Occlusion the four sides are those of the rectangle around the open regions (pipegs_open), as known in
-//         stage 4: regions beside it times z are taken off in stage 8.
+//         stage 5: regions beside it times z are taken off in stages 7 and 8.
 // Stream  fetched in, visible out: only those that survive, and every end beat, all its other fields zero. Beside it
 //         what pu_reach needs (TightCull), else zero.
 // Pace    One per cycle, latency 9; the pipeline stands still while the output is not taken. A stage's registers are
@@ -81,7 +81,7 @@ module pu_cull (
     logic [PlaceW-1:0]                  place;  // window and walk
     logic [KindW-1:0]                   kind;
   } ride_t;
-  ride_t            ride, ride2, ride4, ride6, ride7;  // stage n reads rideN: the record in register n
+  ride_t            ride, ride2, ride4, ride6, ride7;  // rideN: the record in register N, read in stage N + 1
   logic [RideW-1:0] ride_q [Stages+1];          // 1 to 7
   assign ride.gaussian = {fetched_q.slot, fetched_q.index, fetched_q.base_b, fetched_q.base_g, fetched_q.base_r,
                           fetched_q.opacity, fetched_q.scale_2, fetched_q.scale_1, fetched_q.scale_0,

@@ -54,7 +54,7 @@ module pu_cull_axis #(
   localparam int unsigned Coarse  = 8;  // low bits of reach that are rounded up
   localparam int unsigned SmallW  = ReachW - Coarse + 1;
 
-  // --- stages 5 and 6: the near side, the far one ------------------------------------------------------------------
+  // --- stages 5 and 6: the near side; from it the far one ----------------------------------------------------------
   logic signed [EdgeW-1:0]   edge5_q, edge6_q, far6;
   logic signed [CenterW:0]   center;
   assign center = (CenterW + 1)'(center_i);
