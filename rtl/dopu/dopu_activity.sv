@@ -17,7 +17,7 @@ module dopu_activity #(
 
   input  logic             moved_i,       // inside
   input  logic             memory_i,      // a line was asked for, or came
-  input  logic             news_i,        // the RUs' feedback changes something
+  input  logic             news_i,        // the RUs' feedback changes something, or planes are made again for it
   input  logic             waits_i,       // for memory
   input  logic             origin_i,      // something is in dopu_origin, where it takes its cycles in any case
   input  logic             chunk_valid_i,  // before dopu_emit
@@ -59,7 +59,7 @@ module dopu_activity #(
   );
 
   assign busy_o   = busy_q;
-  assign active_o = start_i || (busy_q && (moved_i || !asleep));
+  assign active_o = start_i || news_i || (busy_q && (moved_i || !asleep));
   assign perf_o   = moved_i ? pipegs_pkg::PerfBusy : waits_i ? pipegs_pkg::PerfMemory :
                     blocked ? pipegs_pkg::PerfBlocked : origin_i ? pipegs_pkg::PerfBusy : pipegs_pkg::PerfStarved;
 
