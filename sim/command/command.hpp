@@ -11,7 +11,6 @@
 #include <string>
 #include <vector>
 
-#include "cpp_model/driver/pipegs_frame.h"
 #include "scenes/camera.hpp"
 #include "scenes/formats/format.hpp"
 #include "scenes/scene.hpp"
@@ -73,7 +72,7 @@ struct ViewArguments : MachineArguments {
   int view = 0;
   std::vector<int> window;
   std::vector<std::string> design_points;
-  uint64_t walk_most = PIPEGS_WALK_MOST;
+  uint64_t walk_most = SimulateOptions{}.walk_most;
   double near_plane = 0.2;
 
   void add(CLI::App& app, DesignPoints which = DesignPoints::kOne);
