@@ -345,7 +345,7 @@ void StreamCheck::expect_end(const Place& place, uint64_t kind, Mismatch where) 
 
 // Every walk of a window ends, the last one with the window.
 void StreamCheck::expect_walk(const Place& place, uint64_t kind, const Mismatch& where) {
-  const size_t walks = std::max<size_t>(window(place.window).golden.walks.size(), 1);
+  const size_t walks = walks_of(window(place.window));
   if (kind == kLayerEnd || (kind == kWindowEnd) == (place.walk + 1 == walks)) return;
   fail(place.window, where, fmt::format("the end of walk {} of {}", place.walk + 1, walks),
        kind == kPartEnd ? "the end of a part" : "the end of the window");
@@ -390,6 +390,7 @@ void StreamCheck::on_splat(int unit, const uint32_t* words) {
   const auto found = now.by_name[place.layer].find(name_of(splat.index, splat.part));
   if (found == now.by_name[place.layer].end()) return fail(place.window, where, "none", to_text(config_, splat));
   const Splat& expected = found->second->splat;
+  if (place.walk >= walks_of(now)) return fail(place.window, where, "the end of the window", "a splat");
   if (now.golden.in_parts() && splat.part != walk_part(config_, now.golden.walks[place.walk])) {
     where.field = "part";
     return fail(place.window, where, fmt::to_string(walk_part(config_, now.golden.walks[place.walk])),

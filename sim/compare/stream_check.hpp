@@ -16,6 +16,7 @@
 // Result  The number of mismatches, and the first one: stream, unit, cycle, Gaussian, pixel, field, both values.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <deque>
 #include <optional>
@@ -137,6 +138,8 @@ class StreamCheck final : public RtlTaps {
   uint64_t may_miss(const Window& window, const Splat& splat) const {
     return config_.has_lists() ? 0 : window.done.mask[splat.part];
   }
+  // With layers and with lists a window has one, too.
+  static size_t walks_of(const Window& window) { return std::max<size_t>(window.golden.walks.size(), 1); }
   void release();
   void fail(uint64_t window, Mismatch mismatch);
   void fail(uint64_t window, Mismatch mismatch, std::string expected, std::string found = "");

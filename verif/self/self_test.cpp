@@ -2,9 +2,12 @@
 // self_test: the comparison itself: a machine that is fed something else than the golden model must be caught.
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "cpp_model/areas/frame_areas.hpp"
 #include "cpp_model/control/job.hpp"
 #include "sim/compare/simulate.hpp"
+#include "sim/design/design_point.hpp"
 #include "verif/frame/scenes.hpp"
 
 namespace pipegs {
@@ -80,6 +83,45 @@ TEST_F(StreamCheckTest, SeesAGaussianThatIsMissing) {
 TEST_F(StreamCheckTest, SeesAChangedIndex) {
   change(visible_slot(), [](GaussianRecord& record) { record.index += 1000; });
   EXPECT_GT(mismatches(simulation_, image_, &first_), 0u);
+}
+
+// The machine whose windows have walks, on one window, and streams as it would show them.
+class WalkCheckTest : public testing::Test {
+ protected:
+  // Windows with more Gaussians than this at one depth go by parts.
+  void golden(uint64_t walk_most) {
+    SimulateOptions options;
+    options.config = find_design_point("fast").config;
+    options.walk_most = walk_most;
+    simulate_golden(random_scene(3, 300, 1), test_camera(128, 128), options, simulation_);
+    window_ = golden_window(simulation_.input, 0, 0);
+  }
+  const Config& config() const { return simulation_.packed.config; }
+  template <class R>
+  std::vector<uint32_t> words_of(const R& record) const {
+    std::vector<uint32_t> words(record_words<R>(config()));
+    pack(config(), record, words.data());
+    return words;
+  }
+
+  Simulation simulation_;
+  GoldenWindow window_;
+};
+
+TEST_F(WalkCheckTest, SeesASplatBehindTheLastWalk) {
+  golden(1);
+  ASSERT_EQ(window_.walks.size(), 4u);
+  StreamCheck check(simulation_.input);
+  for (size_t i = 0; i < window_.walks.size(); ++i) check.on_splat(0, words_of(Splat{.kind = kPartEnd}).data());
+  EXPECT_EQ(check.mismatches(), 1u) << "the last end was to be that of the window";
+  std::set<uint64_t> parts;
+  for (const GoldenSplat& golden : window_.layers.at(0).splats) {
+    if (!parts.insert(golden.splat.part).second) continue;
+    const uint64_t before = check.mismatches();
+    check.on_splat(0, words_of(golden.splat).data());
+    EXPECT_EQ(check.mismatches(), before + 1) << "part " << golden.splat.part;
+  }
+  EXPECT_EQ(parts.size(), 4u);
 }
 
 }  // namespace
