@@ -131,7 +131,8 @@ class StreamCheck final : public RtlTaps {
   void expect_line(uint64_t ordinal, int lane, size_t region, size_t quad, const GoldenSplat& shown);
   void expect_chunks(uint64_t ordinal, const ChunkSet& chunks, const std::function<bool(const Chunk& chunk)>& needed);
   bool closed_before(const Window& window, uint64_t index, uint64_t walk) const;
-  const Chunk* beside(uint64_t ordinal, ChunkSet& chunks, const Chunk& found) const;
+  bool has_region(const Chunk& chunk, uint64_t slot) const;
+  const Chunk* beside(uint64_t ordinal, ChunkSet& chunks, const Chunk& found);
   void expect_all(uint64_t ordinal);
   // Regions of a splat that the stream before the RUs may leave out. Lists are made before anything is done: they are
   // complete.

@@ -6,6 +6,7 @@
 
 #include "cpp_model/areas/frame_areas.hpp"
 #include "cpp_model/control/job.hpp"
+#include "cpp_model/dopu/nearest/dopu_nearest.hpp"
 #include "sim/compare/simulate.hpp"
 #include "sim/design/design_point.hpp"
 #include "verif/frame/scenes.hpp"
@@ -122,6 +123,24 @@ TEST_F(WalkCheckTest, SeesASplatBehindTheLastWalk) {
     EXPECT_EQ(check.mismatches(), before + 1) << "part " << golden.splat.part;
   }
   EXPECT_EQ(parts.size(), 4u);
+}
+
+// One that comes for a part of a window that is walked whole, or the other way round.
+TEST_F(WalkCheckTest, SeesAChunkOfAWalkThatTheWindowDoesNotHave) {
+  for (const uint64_t walk_most : {0, 1}) {
+    golden(walk_most);
+    const uint64_t other = walk_most == 0 ? walk_of(config(), 1) : kWholeWalk;
+    StreamCheck check(simulation_.input);
+    uint64_t sent = 0;
+    const auto send = [&](int, const Chunk& chunk, uint64_t) {
+      check.on_chunk(0, kData, words_of(chunk).data());
+      EXPECT_EQ(check.mismatches(), chunk.walk == other ? ++sent : 0u);
+    };
+    for (const uint64_t walk : window_.walks)
+      dopu_nearest(config(), simulation_.input.frame, *simulation_.input.packed, 0, 0, walk, send);
+    dopu_nearest(config(), simulation_.input.frame, *simulation_.input.packed, 0, 0, other, send);
+    EXPECT_GT(sent, 0u);
+  }
 }
 
 }  // namespace
