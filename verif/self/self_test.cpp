@@ -14,18 +14,21 @@
 namespace pipegs {
 namespace {
 
-// Runs the RTL on `image` and compares it with the golden model of `simulation`.
-uint64_t mismatches(const Simulation& simulation, const MemoryImage& image, std::string* first) {
+// Runs the RTL on `image` and compares it with the golden model of `simulation`; `frame` is what the job says.
+uint64_t mismatches(const Simulation& simulation, const MemoryImage& image, const Frame& frame, std::string* first) {
   const Config& config = simulation.packed.config;
   ExternalMemory memory({}, config.bus_w);
   memory.load(image.lines);
   StreamCheck check(simulation.input);
-  const Frame& frame = simulation.input.frame;
   load_rtl(config)->run({frame_job(config, frame, frame_areas(config, simulation.packed, frame))}, memory, {}, &check,
                         {});
   check.finish();
   if (check.first()) *first = check.first()->what;
   return check.mismatches();
+}
+
+uint64_t mismatches(const Simulation& simulation, const MemoryImage& image, std::string* first) {
+  return mismatches(simulation, image, simulation.input.frame, first);
 }
 
 class StreamCheckTest : public testing::Test {
@@ -108,6 +111,20 @@ class WalkCheckTest : public testing::Test {
   Simulation simulation_;
   GoldenWindow window_;
 };
+
+// The machine goes as its job says, whole or by parts, and the golden model the other way.
+TEST_F(WalkCheckTest, SeesAMachineThatWalksOtherwise) {
+  for (const uint64_t walk_most : {0, 1}) {
+    golden(walk_most);
+    const MemoryImage image = memory_image(simulation_.packed);
+    Frame frame = simulation_.input.frame;
+    std::string first;
+    EXPECT_EQ(mismatches(simulation_, image, frame, &first), 0u) << first;
+    frame.walk_most = 1 - walk_most;
+    EXPECT_GT(mismatches(simulation_, image, frame, &first), 0u);
+    EXPECT_NE(first.find("DOPU -> PU"), std::string::npos) << first;
+  }
+}
 
 TEST_F(WalkCheckTest, SeesASplatBehindTheLastWalk) {
   golden(1);
