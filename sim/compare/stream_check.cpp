@@ -213,8 +213,9 @@ bool StreamCheck::closed_before(const Window& window, uint64_t index, uint64_t w
       for (uint64_t rest = found->second->splat.mask; rest != 0; rest &= rest - 1) {
         const auto region = static_cast<size_t>(region_number(config_, part, std::countr_zero(rest)));
         const std::vector<Line>& lines = window.lines[region];
-        const auto line =
-            std::find_if(lines.begin(), lines.end(), [&](const Line& one) { return one.splat == found->second; });
+        // With Occlusion all are of one layer, whose splats lie in their order.
+        const auto line = std::lower_bound(lines.begin(), lines.end(), found->second,
+                                           [](const Line& one, const GoldenSplat* splat) { return one.splat < splat; });
         if (static_cast<size_t>(line - lines.begin()) < window.shown[region]) return false;
       }
     }
