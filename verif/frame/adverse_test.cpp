@@ -9,7 +9,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
+#include <numeric>
+#include <random>
 
 #include "sim/compare/simulate.hpp"
 #include "sim/rtl/rtl_fault.hpp"

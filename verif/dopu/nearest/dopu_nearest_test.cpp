@@ -257,9 +257,7 @@ struct Shrinking : Endpoint {
   Shrinking(Bench<Vpipegs_dopu>& b, const Checker& c) : bench(b), checker(c) { b.add(*this); }
   void begin() { walk = ~size_t{0}, seen.clear(), open = {}; }
   Closed& of(uint64_t number) {
-    if (number == kWholeWalk) return open.whole;
-    Closed* const parts[] = {&open.part_0, &open.part_1, &open.part_2, &open.part_3};
-    return *parts[walk_part(checker.config, number)];
+    return number == kWholeWalk ? open.whole : closed_part(open, walk_part(checker.config, number));
   }
   void drive() override {
     const Expected* expected = checker.expected;
