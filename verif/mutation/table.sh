@@ -47,9 +47,9 @@ mutant dopu_planes "a part reaches as far as its window" 's/half \? W/1'"'"'b0 ?
 mutant pipegs_dopu "each part ends its window" \
        's/(part_end    = walk_end) && !set_ends/\1 \&\& 1'"'"'b0 \&\& set_ends/' dopu_nearest_fast
 mutant dopu_windows "planes made anew go to the other set" 's/assign refit_set = set_q/assign refit_set = !set_q/' \
-       dopu_nearest_occlusion
+       dopu_nearest_fast
 mutant dopu_windows "planes of a set that is filled are those made anew for the one before" \
-       's/planes_ready && !refitting/planes_ready/' dopu_nearest_occlusion
+       's/planes_ready && !refitting/planes_ready/' dopu_nearest_fast
 mutant dopu_planes "what is closed on the right moves the edge outwards" \
        "s/- (\(WindowPixelW'\(closed_high\))/+ \1/" dopu_planes_walks
 mutant dopu_planes "one region short above" \
