@@ -35,7 +35,7 @@ mutant dopu_nearest "a window on trial opens groups" 's/!held_back && open_ready
 mutant pipegs_dopu "the end of a walk that is given up goes to the PUs" \
        's/(given_up    = walk_end) && /\1 \&\& 1'"'"'b0 \&\& /' dopu_nearest_fast
 mutant dopu_load "the last group alone counts" "s/sum_q (\+ SumW'\(group)/\1/"
-mutant dopu_load "a group ends in its last bucket" "s/(group_near_i\}) \+ 1'b1/\1/"
+mutant dopu_load "a group ends in its last bucket" "s/(: near0_q\}) \+ 1'b1/\1/"
 mutant dopu_load "a word that is just written is read" 's/again_q \? sums_q : //'
 mutant dopu_load "what a window held counts for the next one" 's/(else if \()judged_o\) some_q/\11'"'"'b0) some_q/'
 mutant dopu_load "the first bucket of a word alone is judged" 's/(load\[)i(\]\) > most)/\10\2/'
