@@ -34,22 +34,26 @@ inline Closed closed_of(const Config& c, const RegionSet& closed, uint64_t walk)
   return {count(left), count(right), count(top), count(bottom)};
 }
 
+// What is said of a part, to be read or written.
+template <class O>
+auto& closed_part(O& open, uint64_t part) {
+  decltype(&open.part_0) const parts[] = {&open.part_0, &open.part_1, &open.part_2, &open.part_3};
+  return *parts[part];
+}
+
 // What pipegs_open makes of a window that all RUs are in.
 inline Open open_of(const Config& c, const RegionSet& closed, uint64_t window_x, uint64_t window_y) {
   Open open{.known = 1, .window_x = window_x, .window_y = window_y, .whole = closed_of(c, closed, kWholeWalk)};
   if (!c.has_walks()) return open;
-  uint64_t part = 0;
-  for (Closed* one : {&open.part_0, &open.part_1, &open.part_2, &open.part_3})
-    *one = closed_of(c, closed, walk_of(c, part++));
+  for (uint64_t part = 0; part < static_cast<uint64_t>(c.parts()); ++part)
+    closed_part(open, part) = closed_of(c, closed, walk_of(c, part));
   return open;
 }
 
 // pipegs_closed: of a walk of a window.
 inline Closed closed_at(const Config& c, const Open& open, uint64_t window_x, uint64_t window_y, uint64_t walk) {
   if (open.known == 0 || open.window_x != window_x || open.window_y != window_y) return {};
-  if (walk == kWholeWalk) return open.whole;
-  const Closed* const parts[] = {&open.part_0, &open.part_1, &open.part_2, &open.part_3};
-  return *parts[walk_part(c, walk)];
+  return walk == kWholeWalk ? open.whole : closed_part(open, walk_part(c, walk));
 }
 
 }  // namespace pipegs

@@ -3,12 +3,11 @@
 #include "sim/compare/chunk_set.hpp"
 
 #include "cpp_model/dopu/dopu.hpp"
-#include "cpp_model/dopu/dopu_walks.hpp"
 #include "cpp_model/dopu/nearest/dopu_nearest.hpp"
 
 namespace pipegs {
 
-ChunkSet::ChunkSet(const GoldenInput& input, uint64_t x, uint64_t y) {
+ChunkSet::ChunkSet(const GoldenInput& input, uint64_t x, uint64_t y, const std::vector<uint64_t>& walks) {
   const auto keep = [&](int, const Chunk& chunk, uint64_t) { chunks_[name_of(chunk)].chunk = chunk; };
   const Config& config = input.packed->config;
   const int column = static_cast<int>(x), row = static_cast<int>(y);
@@ -16,8 +15,7 @@ ChunkSet::ChunkSet(const GoldenInput& input, uint64_t x, uint64_t y) {
     dopu_window(config, input.frame, *input.packed, column, row, keep);
     return;
   }
-  for (const uint64_t walk : dopu_walks(config, input.frame, *input.packed, column, row))
-    dopu_nearest(config, input.frame, *input.packed, column, row, walk, keep);
+  for (const uint64_t walk : walks) dopu_nearest(config, input.frame, *input.packed, column, row, walk, keep);
 }
 
 const Chunk* ChunkSet::find(const Chunk& like) const {

@@ -8,6 +8,7 @@
 #include <functional>
 #include <optional>
 #include <unordered_map>
+#include <vector>
 
 #include "cpp_model/golden.hpp"
 
@@ -15,8 +16,8 @@ namespace pipegs {
 
 class ChunkSet {
  public:
-  // Of the window x, y; with lists of the frame, whose first window this is.
-  ChunkSet(const GoldenInput& input, uint64_t x, uint64_t y);
+  // Of the window x, y with these walks (order 2); with lists of the frame, whose first window this is.
+  ChunkSet(const GoldenInput& input, uint64_t x, uint64_t y, const std::vector<uint64_t>& walks = {});
 
   const Chunk* find(const Chunk& like) const;  // the one of its walk that begins with the same Gaussian, or null
   bool take(const Chunk& like);                // it has come; false: again

@@ -10,6 +10,11 @@
 #include <tuple>
 
 #include "cpp_model/dopu/dopu_origin.hpp"
+#include "cpp_model/pu/conic/pu_coeff.hpp"
+#include "cpp_model/pu/conic/pu_intersect.hpp"
+#include "cpp_model/pu/front/pu_cull.hpp"
+#include "cpp_model/pu/front/pu_reach.hpp"
+#include "cpp_model/pu/pu_parts.hpp"
 #include "cpp_model/ru/ru_walk.hpp"
 
 namespace pipegs {
@@ -121,7 +126,7 @@ StreamCheck::Window& StreamCheck::window(uint64_t ordinal) {
   const uint64_t x = input_.frame.raster.windows.first_x + ordinal % windows_x_,
                  y = input_.frame.raster.windows.first_y + ordinal / windows_x_;
   window.golden = golden_window(input_, x, y);
-  if (!config_.has_lists()) window.chunks.emplace(input_, x, y);
+  if (!config_.has_lists()) window.chunks.emplace(input_, x, y, window.golden.walks);
   for (const GoldenLayer& layer : window.golden.layers) {
     auto& by_name = window.by_name.emplace_back();
     for (const GoldenSplat& splat : layer.splats) by_name.emplace(name_of(splat.splat.index, splat.splat.part), &splat);
@@ -208,8 +213,9 @@ bool StreamCheck::closed_before(const Window& window, uint64_t index, uint64_t w
       for (uint64_t rest = found->second->splat.mask; rest != 0; rest &= rest - 1) {
         const auto region = static_cast<size_t>(region_number(config_, part, std::countr_zero(rest)));
         const std::vector<Line>& lines = window.lines[region];
-        const auto line =
-            std::find_if(lines.begin(), lines.end(), [&](const Line& one) { return one.splat == found->second; });
+        // With Occlusion all are of one layer, whose splats lie in their order.
+        const auto line = std::lower_bound(lines.begin(), lines.end(), found->second,
+                                           [](const Line& one, const GoldenSplat* splat) { return one.splat < splat; });
         if (static_cast<size_t>(line - lines.begin()) < window.shown[region]) return false;
       }
     }
@@ -217,9 +223,25 @@ bool StreamCheck::closed_before(const Window& window, uint64_t index, uint64_t w
   return true;
 }
 
-// With Occlusion: a chunk of the scene that the planes of the whole walk do not let pass; it has no visible Gaussian.
-const Chunk* StreamCheck::beside(uint64_t ordinal, ChunkSet& chunks, const Chunk& found) const {
+// Whether the Gaussian in this slot of a chunk has a region in the chunk's walk.
+bool StreamCheck::has_region(const Chunk& chunk, uint64_t slot) const {
+  const Frame& frame = input_.frame;
+  Gap gap;
+  const std::optional<Visible> visible =
+      pu_cull(config_, frame, golden_fetched(chunk, input_.packed->gaussians[slot], slot), nullptr, &gap);
+  if (!visible || (config_.tight_cull && !pu_reach(config_, frame, *visible, gap))) return false;
+  const std::vector<PuPart> parts = pu_parts(config_, golden_conic(config_, frame, *visible).conic, chunk.walk);
+  return std::any_of(parts.begin(), parts.end(), [&](const PuPart& one) {
+    return pu_intersect(config_, frame, pu_coeff(config_, frame, one.conic)).mask != 0;
+  });
+}
+
+// With Occlusion: a chunk of the scene that the planes of a whole walk of the window do not let pass. None of its
+// Gaussians has a region there; the cull, which knows spheres and one axis of ellipses, may keep some.
+const Chunk* StreamCheck::beside(uint64_t ordinal, ChunkSet& chunks, const Chunk& found) {
   if (!config_.occlusion) return nullptr;
+  const std::vector<uint64_t>& walks = window(ordinal).golden.walks;
+  if (std::find(walks.begin(), walks.end(), found.walk) == walks.end()) return nullptr;
   const std::vector<Node>& nodes = input_.packed->chunks;
   const auto node = std::find_if(nodes.begin(), nodes.end(), [&](const Node& one) { return one.first == found.slot; });
   if (node == nodes.end()) return nullptr;
@@ -227,6 +249,9 @@ const Chunk* StreamCheck::beside(uint64_t ordinal, ChunkSet& chunks, const Chunk
   Chunk chunk = dopu_origin(config_, input_.frame, *node, static_cast<int>(windows.first_x + ordinal % windows_x_),
                             static_cast<int>(windows.first_y + ordinal / windows_x_));
   chunk.walk = found.walk;
+  for (uint64_t slot = chunk.slot; slot < chunk.slot + chunk.count; ++slot) {
+    if (has_region(chunk, slot)) return nullptr;
+  }
   chunks.add(chunk);
   return chunks.find(found);
 }
@@ -345,7 +370,7 @@ void StreamCheck::expect_end(const Place& place, uint64_t kind, Mismatch where) 
 
 // Every walk of a window ends, the last one with the window.
 void StreamCheck::expect_walk(const Place& place, uint64_t kind, const Mismatch& where) {
-  const size_t walks = std::max<size_t>(window(place.window).golden.walks.size(), 1);
+  const size_t walks = walks_of(window(place.window));
   if (kind == kLayerEnd || (kind == kWindowEnd) == (place.walk + 1 == walks)) return;
   fail(place.window, where, fmt::format("the end of walk {} of {}", place.walk + 1, walks),
        kind == kPartEnd ? "the end of a part" : "the end of the window");
@@ -390,6 +415,7 @@ void StreamCheck::on_splat(int unit, const uint32_t* words) {
   const auto found = now.by_name[place.layer].find(name_of(splat.index, splat.part));
   if (found == now.by_name[place.layer].end()) return fail(place.window, where, "none", to_text(config_, splat));
   const Splat& expected = found->second->splat;
+  if (place.walk >= walks_of(now)) return fail(place.window, where, "the end of the window", "a splat");
   if (now.golden.in_parts() && splat.part != walk_part(config_, now.golden.walks[place.walk])) {
     where.field = "part";
     return fail(place.window, where, fmt::to_string(walk_part(config_, now.golden.walks[place.walk])),

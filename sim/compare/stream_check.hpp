@@ -16,6 +16,7 @@
 // Result  The number of mismatches, and the first one: stream, unit, cycle, Gaussian, pixel, field, both values.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <deque>
 #include <optional>
@@ -130,13 +131,16 @@ class StreamCheck final : public RtlTaps {
   void expect_line(uint64_t ordinal, int lane, size_t region, size_t quad, const GoldenSplat& shown);
   void expect_chunks(uint64_t ordinal, const ChunkSet& chunks, const std::function<bool(const Chunk& chunk)>& needed);
   bool closed_before(const Window& window, uint64_t index, uint64_t walk) const;
-  const Chunk* beside(uint64_t ordinal, ChunkSet& chunks, const Chunk& found) const;
+  bool has_region(const Chunk& chunk, uint64_t slot) const;
+  const Chunk* beside(uint64_t ordinal, ChunkSet& chunks, const Chunk& found);
   void expect_all(uint64_t ordinal);
   // Regions of a splat that the stream before the RUs may leave out. Lists are made before anything is done: they are
   // complete.
   uint64_t may_miss(const Window& window, const Splat& splat) const {
     return config_.has_lists() ? 0 : window.done.mask[splat.part];
   }
+  // With layers and with lists a window has one, too.
+  static size_t walks_of(const Window& window) { return std::max<size_t>(window.golden.walks.size(), 1); }
   void release();
   void fail(uint64_t window, Mismatch mismatch);
   void fail(uint64_t window, Mismatch mismatch, std::string expected, std::string found = "");

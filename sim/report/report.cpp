@@ -134,6 +134,7 @@ Json report_json(const Scene& scene, const Camera& camera, const SimulateOptions
     config["memory_jitter"] = options.memory.jitter;
   }
   config["memory_bytes_per_cycle"] = memory_peak(options.memory);
+  if (options.config.has_walks()) config["walk_most"] = options.walk_most;
   config["picture"] = options.raster ? "raster" : "windows";
   config["seed"] = options.rtl.seed;
   report["config"] = config;

@@ -90,9 +90,7 @@ struct Machine {
   void show(Cycle now, Border border, int lane, uint64_t what) {
     if (events != nullptr) events->push_back({now, border, static_cast<uint8_t>(lane), what});
   }
-  uint64_t beat_shown(Beat beat) const {
-    return is_end(beat) ? shown_end(end_kind(beat)) : shown_splat(trace.key[beat]);
-  }
+  uint64_t beat_shown(Beat beat) const { return is_end(beat) ? end_kind(beat) : shown_splat(trace.key[beat]); }
   std::vector<TimingEvent>* events = nullptr;
 
  private:

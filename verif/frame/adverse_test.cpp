@@ -9,7 +9,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
+#include <numeric>
+#include <random>
 
 #include "sim/compare/simulate.hpp"
 #include "sim/rtl/rtl_fault.hpp"
@@ -213,7 +216,7 @@ TEST(AdverseRandom, AnySmallSceneIsRightOrIsShrunk) {
                           least[i].mean.z, std::exp(least[i].log_scale.x), least[i].opacity_logit);
     }
     ADD_FAILURE() << "PIPEGS_SEED=" << seed << ", " << config_difference(d.options.config) << ", walk_most "
-                  << *d.options.walk_most << ", " << d.camera.width << "x" << d.camera.height << ", " << least.size()
+                  << d.options.walk_most << ", " << d.camera.width << "x" << d.camera.height << ", " << least.size()
                   << " Gaussians of " << d.scene.gaussians.size() << ": " << what << "\n"
                   << text;
     return;

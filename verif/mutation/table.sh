@@ -35,7 +35,7 @@ mutant dopu_nearest "a window on trial opens groups" 's/!held_back && open_ready
 mutant pipegs_dopu "the end of a walk that is given up goes to the PUs" \
        's/(given_up    = walk_end) && /\1 \&\& 1'"'"'b0 \&\& /' dopu_nearest_fast
 mutant dopu_load "the last group alone counts" "s/sum_q (\+ SumW'\(group)/\1/"
-mutant dopu_load "a group ends in its last bucket" "s/(group_near_i\}) \+ 1'b1/\1/"
+mutant dopu_load "a group ends in its last bucket" "s/(: near0_q\}) \+ 1'b1/\1/"
 mutant dopu_load "a word that is just written is read" 's/again_q \? sums_q : //'
 mutant dopu_load "what a window held counts for the next one" 's/(else if \()judged_o\) some_q/\11'"'"'b0) some_q/'
 mutant dopu_load "the first bucket of a word alone is judged" 's/(load\[)i(\]\) > most)/\10\2/'
@@ -47,9 +47,9 @@ mutant dopu_planes "a part reaches as far as its window" 's/half \? W/1'"'"'b0 ?
 mutant pipegs_dopu "each part ends its window" \
        's/(part_end    = walk_end) && !set_ends/\1 \&\& 1'"'"'b0 \&\& set_ends/' dopu_nearest_fast
 mutant dopu_windows "planes made anew go to the other set" 's/assign refit_set = set_q/assign refit_set = !set_q/' \
-       dopu_nearest_occlusion
+       dopu_nearest_fast
 mutant dopu_windows "planes of a set that is filled are those made anew for the one before" \
-       's/planes_ready && !refitting/planes_ready/' dopu_nearest_occlusion
+       's/planes_ready && !refitting/planes_ready/' dopu_nearest_fast
 mutant dopu_planes "what is closed on the right moves the edge outwards" \
        "s/- (\(WindowPixelW'\(closed_high\))/+ \1/" dopu_planes_walks
 mutant dopu_planes "one region short above" \

@@ -45,8 +45,8 @@ template <class Each>
 void walks(const Config& config, const Open& open, Each&& each) {
   each(kWholeWalk, open.whole);
   if (!config.has_walks()) return;
-  uint64_t part = 0;
-  for (const Closed& one : {open.part_0, open.part_1, open.part_2, open.part_3}) each(walk_of(config, part++), one);
+  for (uint64_t part = 0; part < static_cast<uint64_t>(config.parts()); ++part)
+    each(walk_of(config, part), closed_part(open, part));
 }
 
 bool inside(const Config& config, uint64_t walk, const Closed& closed, int region) {

@@ -168,8 +168,9 @@ TEST_F(States, OneStateForAnotherIsSeen) {
   }
 }
 
-// Of those that are another one in a single cycle. What a unit does with nothing at its borders stays open.
-TEST_F(States, MostSingleStatesAreSeen) {
+// Of those that are another one in a single cycle. What a unit does with nothing at its borders stays open; of the DOPU
+// that is more than half, as most nodes that it tests lead to no chunk.
+TEST_F(States, ManySingleStatesAreSeen) {
   std::mt19937_64 rng(1);
   const size_t cycles = run().shown.size();
   for (size_t kind = 0; kind < 4; ++kind) {
@@ -187,7 +188,8 @@ TEST_F(States, MostSingleStatesAreSeen) {
       return wrong.unit == kUnits[kind] && places.count(wrong.cycle) != 0;
     });
     fmt::print("{}: {} of {} single states are seen\n", kUnits[kind], seen, places.size());
-    EXPECT_GE(seen, static_cast<int64_t>(places.size()) * 9 / 20) << kUnits[kind];
+    const int64_t percent = kind == 0 ? 40 : 50;
+    EXPECT_GE(seen, static_cast<int64_t>(places.size()) * percent / 100) << kUnits[kind];
   }
 }
 

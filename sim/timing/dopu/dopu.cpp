@@ -226,14 +226,14 @@ void Dopu::cells(const Machine& m, DopuCycle& cycle) {
   if (advance || !inside) cycle.moved = cycle.changed = true;
   const bool read = advance && (inside || done);
   const bool is_end = end_next_ || done, window_end = walk_layer_ == grid_ - 1 || done;
-  const bool finished = read && is_end && window_end;
+  const bool finished = read && is_end && window_end, last = set.walk + 1 == walks_;
   if (read) {
     item_valid_ = true;
     item_ = {};
     item_.set = walk_set_;
     if (is_end) {
       item_.end = window_end ? kWindowEndBeat : kLayerEndBeat;
-      item_.last = window_end && set.last;
+      item_.last = window_end && last;
       item_shown_ = window_end || m.config.layered != 0;
     } else {
       item_.node = static_cast<uint32_t>(
@@ -243,7 +243,7 @@ void Dopu::cells(const Machine& m, DopuCycle& cycle) {
   }
   if (finished) {
     window_walked_ = true;
-    if (set.last) walking_ = false;
+    if (last) walking_ = false;
     walk_step_ = walk_layer_ = walk_number_ = 0;
     end_next_ = false;
   } else if (!inside) {
@@ -318,7 +318,7 @@ void Dopu::windows(const Machine& m, DopuCycle& cycle) {
     set.chunk = walk.first_chunk;
     set.closed = set.closed_before = {};
     set.judges = judges_ && walk.walk == kWholeWalk;
-    if (!set.judges) set.last = ++next_walk_ == walks_;
+    if (!set.judges) ++next_walk_;
     fill_ ^= 1;
     planes_ = kPlanesIdle;
     planes_at_ = now + 1;

@@ -22,7 +22,7 @@ struct DopuItem {
 
 // A set of planes: a walk.
 struct DopuSet {
-  bool valid = false, fresh = false, last = false, done = false;
+  bool valid = false, fresh = false, done = false;
   bool judges = false, given_up = false;  // on trial; this is how it ended
   size_t walk = 0;                        // of TimingTrace::walks
   size_t chunk = 0;                       // of its chunks that pass, the next one to enter the test (orders 0 and 1)

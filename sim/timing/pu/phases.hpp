@@ -16,6 +16,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <stdexcept>
+#include <vector>
 
 #include "cpp_model/pu/stages.hpp"
 #include "sim/timing/cycle.hpp"
@@ -28,6 +31,7 @@ class Phases {
   explicit Phases(const std::vector<PuStage>& table) {
     for (size_t i = table.size(); i-- > 0;) {
       const PuStage& row = table[i];
+      if (row.places - 1 > kMostHeld) throw std::logic_error("timing model: a stage of a PU keeps too many records");
       Stage& stage = stages_[static_cast<size_t>(count_++)];
       stage.begin = row.begin, stage.free = row.free, stage.length = row.result;
     }
@@ -53,6 +57,7 @@ class Phases {
   }
 
  private:
+  static constexpr int kMostHeld = 4;
   struct Held {  // a record that has not claimed the output
     Beat beat = 0;
     Cycle take = 0, claim = 0;
@@ -63,7 +68,7 @@ class Phases {
   };
   struct Stage {
     int begin = 0, free = 0, length = 0;  // cycles; length: to the result
-    std::array<Held, 4> held;
+    std::array<Held, kMostHeld> held;
     int count = 0;
     bool result = false;  // an output that is not taken
     Beat result_beat = 0;

@@ -39,7 +39,7 @@ void Pu::reader(Machine& m, Cycle now) {
   const bool take = room && m.dopu.chunk_shown(lane_, now) && (!is_mark || marks.room(now));
   if (take) {
     const ChunkBeat& chunk = m.dopu.take_chunk(m, lane_);
-    m.show(now, Border::kChunk, lane_, is_end(chunk.end) ? shown_end(end_kind(chunk.end)) : 0);
+    m.show(now, Border::kChunk, lane_, is_end(chunk.end) ? end_kind(chunk.end) : 0);
     if (is_mark) marks.push(now, chunk.mark);
     if (!front_) return;
     job.read = !is_end(chunk.end);
@@ -66,10 +66,7 @@ void Pu::reader(Machine& m, Cycle now) {
 bool Pu::beside(const Machine& m, Cycle now, unsigned place) const {
   const Beat beat = pipe_[place];
   if (beat == kBubble || is_end(beat)) return false;
-  const Closed closed = m.open.closed(m, pipe_walk_[place], now);
-  const uint16_t most = m.trace.most[beat];
-  return closed.left > (most & 15u) || closed.right > (most >> 4 & 15u) || closed.top > (most >> 8 & 15u) ||
-         closed.bottom > (most >> 12 & 15u);
+  return beyond(m.open.closed(m, pipe_walk_[place], now), m.trace.most[beat]);
 }
 
 void Pu::cull(Machine& m, Cycle now) {

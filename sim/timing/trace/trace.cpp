@@ -164,8 +164,7 @@ class WindowTrace {
         sent.survivors |= uint64_t{1} << k;
         part_.slot.push_back(static_cast<uint32_t>(chunk.slot + k));
         part_.dropped.push_back(dropped);
-        if (config_.occlusion)
-          part_.most.push_back(static_cast<uint16_t>(most.left | most.right << 4 | most.top << 8 | most.bottom << 12));
+        if (config_.occlusion) part_.most.push_back(pack_most(most));
         if (dropped) {
           no_pair();
           continue;

@@ -74,6 +74,16 @@ struct TimingWindow {
   std::vector<uint32_t> quad_done_after;
 };
 
+// 4 bits a side, left lowest.
+inline uint16_t pack_most(const Closed& most) {
+  return static_cast<uint16_t>(most.left | most.right << 4 | most.top << 8 | most.bottom << 12);
+}
+// Whether on some side more is closed.
+inline bool beyond(const Closed& closed, uint16_t most) {
+  return closed.left > (most & 15u) || closed.right > (most >> 4 & 15u) || closed.top > (most >> 8 & 15u) ||
+         closed.bottom > (most >> 12 & 15u);
+}
+
 struct TimingTrace {
   Config config;
   Frame frame;
@@ -86,7 +96,7 @@ struct TimingTrace {
   // By survivor of a cull.
   std::vector<uint32_t> slot;    // in packed memory
   std::vector<uint32_t> pairs;   // parts, lists: its first pair; one more entry at the end
-  std::vector<uint16_t> most;    // Occlusion: 4 bits a side, left lowest: closed regions with which it is kept
+  std::vector<uint16_t> most;    // Occlusion: by pack_most, with how many closed regions it is kept
   std::vector<uint8_t> dropped;  // TightCull: by pu_reach; its pair, if it has one, is never asked for
   // By pair.
   std::vector<uint64_t> mask, key;  // regions of the part; sort key

@@ -257,9 +257,7 @@ struct Shrinking : Endpoint {
   Shrinking(Bench<Vpipegs_dopu>& b, const Checker& c) : bench(b), checker(c) { b.add(*this); }
   void begin() { walk = ~size_t{0}, seen.clear(), open = {}; }
   Closed& of(uint64_t number) {
-    if (number == kWholeWalk) return open.whole;
-    Closed* const parts[] = {&open.part_0, &open.part_1, &open.part_2, &open.part_3};
-    return *parts[walk_part(checker.config, number)];
+    return number == kWholeWalk ? open.whole : closed_part(open, walk_part(checker.config, number));
   }
   void drive() override {
     const Expected* expected = checker.expected;
@@ -402,8 +400,9 @@ TEST(DopuNearest, KeepsItsTestsBusy) {
   Checker checker(dopu.units, dopu.config);
   const char *scene = std::getenv("PIPEGS_SCENE"), *cameras = std::getenv("PIPEGS_CAMERAS");
   const bool given = scene != nullptr && cameras != nullptr;
-  const World world = given ? World(read_ply(scene), read_cameras(cameras).at(0))
-                            : World(dopu.bench.rng, 20000, 10 * dopu.config.window, 7 * dopu.config.window);
+  World world = given ? World(read_ply(scene), read_cameras(cameras).at(0))
+                      : World(dopu.bench.rng, 20000, 10 * dopu.config.window, 7 * dopu.config.window);
+  world.frame.walk_most = 0;  // what is summed is of whole windows
   const Expected expected(world);
   const DopuCounts sum = dopu_counts(world);
   checker.begin(world, expected);
@@ -418,7 +417,8 @@ TEST(DopuNearest, KeepsItsTestsBusy) {
   RecordProperty("roofline_ratio", std::to_string(cycles / bound));
   std::printf("dopu_nearest: %.0f tests, %llu chunks, %.0f cycles, %.0f a window, roofline ratio %.3f\n", tests,
               static_cast<unsigned long long>(sum.chunks), cycles, cycles / windows, cycles / bound);
-  if (expected.parts == 0) EXPECT_LT(cycles, 1.4 * bound);  // `sum` is of whole windows
+  // The shortest queue that windows of 128 pixels may have is full most of the time.
+  EXPECT_LT(cycles, (world.config.has_walks() && world.config.nearest_nodes <= 128 ? 2.0 : 1.4) * bound);
 }
 
 }  // namespace
