@@ -281,6 +281,13 @@ module dopu_windows (
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni) assert (!judged_i || judges_q);
   always_ff @(posedge clk_i) if (rst_ni) assert (!window_valid || window_ready);
+  pipegs_stream_check #(.DataW(PlaceW)) u_check_window (
+    .clk_i,
+    .rst_ni,
+    .valid_i(window_valid),
+    .ready_i(window_ready),
+    .beat_i(fill_due ? place : place_q[refit_pick])
+  );
 `endif
 
 endmodule

@@ -136,4 +136,14 @@ module su_release #(
   assign settled_o      = !waits && (marks == '0 || head_valid_o) && chains == '0;
   assign moves_o        = buckets_active || (chains != '0 && !chain_valid_o) || (marks != '0 && !head_valid_o);
 
+`ifndef SYNTHESIS
+  pipegs_stream_check #(.DataW($bits(head_o))) u_check_head (
+    .clk_i,
+    .rst_ni,
+    .valid_i(head_valid_o),
+    .ready_i(next_ready),
+    .beat_i(head_o)
+  );
+`endif
+
 endmodule
