@@ -129,8 +129,9 @@ void StateCheck::judge_pu(int k) {
   if (pu.geometry.lines > 0 && pu.since > kArrival) allowed &= ~kS;
   if (!inside) pu.first = true, pu.passing = 0;
   if (pu.first) allowed = !inside ? kS : pu.geometry.lines > 0 ? kM : kM | kS;
-  // The end of the layer before may be left, which waits for older ones to leave the stores, and then goes its way.
-  if (pu.first && config_.has_stores()) allowed = inside ? kAny : kS | kK;
+  // The end of the layer before may be left, which waits for older ones to leave the stores, and then goes its way; and
+  // its last line of alphas, on its way to the memory.
+  if (pu.first && config_.has_stores()) allowed = inside ? kAny : config_.spills_alphas() ? kS | kK | kM : kS | kK;
   if (pu.passing > 0 || judged.at(kCulledShows, k)) allowed = kB | kK;
   if (judged.at(kSplatShows, k) && !judged.at(kSplatReady, k)) allowed = config_.caches_alphas() ? kB | kK : kK;
   expect(judged, 1, k, allowed);

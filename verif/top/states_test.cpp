@@ -329,5 +329,20 @@ TEST(StatesWhileSpilling, ADopuThatMakesAChunkIsBusy) {
   EXPECT_EQ(simulation.mismatches, 0u) << simulation.first_mismatch->what;
 }
 
+// A layer's last line of alphas waits for a slow memory when all else has left the PU.
+TEST(StatesWhileSpilling, APuWithNothingButALineThatLeavesWaitsForMemory) {
+  SimulateOptions options = machine(kTiny);
+  options.memory.jitter = 200;
+  Recorder recorder(options.config);
+  options.taps = &recorder;
+  Simulation simulation;
+  simulate_golden(random_scene(3, 600, 1), test_camera(72, 64, 80), options, simulation);
+  simulate_rtl(options, simulation);
+  EXPECT_EQ(simulation.mismatches, 0u) << simulation.first_mismatch->what;
+  EXPECT_TRUE(std::any_of(recorder.shown.begin(), recorder.shown.end(), [](const Shown& one) {
+    return (one.border[kPuBusy] & 1) == 0 && one.states[1] == kMemory;
+  })) << "no line waits alone";
+}
+
 }  // namespace
 }  // namespace pipegs
