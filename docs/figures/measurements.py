@@ -135,6 +135,8 @@ TABLE = [
                   points=(point,)) for point in ("fast", "dop")],
     *[Measurement(f"rtl/{scene}_fast", "build/pipegs sim {scene} --design fast --no-truth --json", RTL, scene,
                   points=("fast",)) for scene in SIX if scene != "terrace"],
+    Measurement("rtl/own_raster", "build/pipegs sim --design fast --no-truth --picture raster --json", RTL,
+                points=("fast",)),
     Measurement("rtl/views", "build/pipegs sim --views 0-2 --json", RTL, view=None, points=("fast",)),
     Measurement("rtl/printed", "build/pipegs sim --out build/out", RTL, points=("fast",), read=shown,
                 picture=("own_scene.png", "out/frame.png")),
