@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Tables of docs/cycles/cycles.md."""
 from data import data
-from formats import fixed, group, listing, mean, percent, table, thousands, times
+from formats import change, fixed, group, listing, mean, percent, table, thousands, times
 from measurements import CHARTED, FOUR, FRAMES, STEPPED, STEPS  # noqa: F401  (the page uses FRAMES)
 from pages.frames import VIEWS, bounds, cycles, floor, largest_bound, megabytes, of, over, roofline, total_bytes, work
 
@@ -49,21 +49,26 @@ def worst(scene):
     return walk(scene, "cycles", "max") / walk(scene, "cycles", "median")
 
 
+def step(scene, name):
+    """Cycles with all steps up to this one."""
+    return data.steps[f"{scene}_{name}"].designs[0].cycles
+
+
 def steps():
     """Cycles, megabytes and multiple of the floor, step by step."""
 
     def cell(scene, count, size):
         return f"{group(count)}, {fixed(size, 1)} MB ({fixed(count / floor(scene), 2)})"
 
-    def step(scene, name):
-        row = data.steps[f"{scene}_{name}"].designs[0]
-        return cell(scene, row.cycles, total_bytes(row.bytes) / 1e6)
+    def sums(scene, name):
+        size = total_bytes(data.steps[f"{scene}_{name}"].designs[0].bytes)
+        return cell(scene, step(scene, name), size / 1e6)
 
     def end(name):
         return [cell(scene, cycles(scene, name), megabytes(scene, name)) for scene in STEPPED]
 
     rows = [["`exact`", *end("exact")]]
-    rows += [[what, *[step(scene, name) for scene in STEPPED]] for name, (what, _) in STEPS.items()]
+    rows += [[what, *[sums(scene, name) for scene in STEPPED]] for name, (what, _) in STEPS.items()]
     rows += [["pixels of 32 bits, 1408 records, 1024 nodes, a watermark every 7 chunks: `fast`", *end("fast")]]
     return table(["each step adds to the one before", *[VIEWS[scene].split(" (")[0] for scene in STEPPED]], rows)
 
