@@ -30,7 +30,8 @@ std::vector<double> kind_ridges();
 double scaled(const Config& config, const std::string& knob);
 
 // Whether one of the points is of this kind and tests regions as it does, which has blocks of its own, and each free
-// entry lies between the least and the largest of the points'; alike where no point moves it.
+// entry lies between the least and the largest of the points'; alike where no point moves it. The number of PUs that
+// fetch lies between those of the points of this kind: what such a PU holds depends on it, and on the kind.
 bool within(const Config& config, const std::vector<Config>& points);
 
 }  // namespace pipegs
