@@ -62,6 +62,7 @@ void config_check(const Config& config) {
                                     {"fronts", config.fronts},
                                     {"window", config.window},
                                     {"pixel_w", config.pixel_w},
+                                    {"pace", config.pace},
                                     {"chunk", config.chunk},
                                     {"grid", config.grid},
                                     {"nearest_nodes", config.nearest_nodes}}) {
@@ -87,13 +88,21 @@ void config_check(const Config& config) {
   if (config.order == 2 && config.bucket_bits == 0) {
     throw ConfigError("configuration: order = 2 needs bucket_bits of at least 1");
   }
+  // A window on trial (dopu_load) keeps its cells waiting, and at most half a queue of groups: neither may fill it.
+  if (const int cells = config.grid * config.grid * config.grid;
+      config.has_walks() && config.nearest_nodes < 2 * cells) {
+    throw ConfigError("configuration: nearest_nodes = " + std::to_string(config.nearest_nodes) +
+                      ", expected with window = 128 at least 2 grid^3 = " + std::to_string(2 * cells));
+  }
   if (!config.layered && config.order != 0) throw ConfigError("configuration: layered = 0 needs order = 0");
   if (config.tight_cull && config.order == 1) throw ConfigError("configuration: tight_cull = 1 needs order 0 or 2");
+  if (config.occlusion && config.order != 2) throw ConfigError("configuration: occlusion = 1 needs order = 2");
   if (config.tight_boxes && config.order != 2) throw ConfigError("configuration: tight_boxes = 1 needs order = 2");
   if (const int bits = node_bits(config), most = config.memory_w() / 2; bits > most) {
     throw ConfigError("configuration: a node has " + std::to_string(bits) + " bits, expected at most " +
                       std::to_string(most) + ": world_w or scale_m_w must be smaller");
   }
+  if (config.pace == 4 && config.tile_test == 2) throw ConfigError("configuration: pace = 4 needs tile_test 0 or 1");
   if (config.power_f > config.coeff_f) throw ConfigError("configuration: power_f must not exceed coeff_f");
 }
 

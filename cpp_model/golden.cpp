@@ -10,6 +10,7 @@
 
 #include "cpp_model/dopu/dopu.hpp"
 #include "cpp_model/dopu/nearest/dopu_nearest.hpp"
+#include "cpp_model/dopu/dopu_walks.hpp"
 #include "cpp_model/float/parallel.hpp"
 #include "cpp_model/pu/box/pu_axes.hpp"
 #include "cpp_model/pu/box/pu_box.hpp"
@@ -121,7 +122,7 @@ void preprocess(const GoldenInput& input, const Fetched& fetched, GoldenWindow& 
   if (!found) return;
   const auto& [conic, payload] = *found;
   std::optional<Colored> colored;  // once for all parts
-  for (const PuPart& one : pu_parts(input.packed->config, conic)) {
+  for (const PuPart& one : pu_parts(input.packed->config, conic, fetched.walk)) {
     const Tiles tiles = intersect(input, one.conic, window);
     if (tiles.mask == 0) continue;
     if (!colored) colored = color(input, color_job(payload, tiles.mask), window.saturations);
@@ -230,6 +231,7 @@ Fetched golden_fetched(const Chunk& chunk, const GaussianRecord& g, uint64_t slo
   return {.kind = kData,
           .window_x = chunk.window_x,
           .window_y = chunk.window_y,
+          .walk = chunk.walk,
           .origin_x = chunk.origin_x,
           .origin_y = chunk.origin_y,
           .origin_z = chunk.origin_z,
@@ -307,7 +309,7 @@ GoldenWindow golden_window(const GoldenInput& input, uint64_t window_x, uint64_t
   window.y = window_y;
   const bool layers = packed.config.has_layers();
   // The layer of a chunk, or its bucket of depth: sorted as a whole then.
-  const auto walk = [&](int ordinal, const Chunk& chunk, uint64_t) {
+  const auto chunk_of = [&](int ordinal, const Chunk& chunk, uint64_t) {
     if (!layers) ordinal = 0;
     if (window.layers.empty() || window.layers.back().ordinal != ordinal) window.layers.push_back({ordinal, {}});
     ++window.work.chunks;
@@ -317,12 +319,15 @@ GoldenWindow golden_window(const GoldenInput& input, uint64_t window_x, uint64_t
   };
   const int x = static_cast<int>(window_x), y = static_cast<int>(window_y);
   if (packed.config.has_lists()) read_list(input, window);
-  else if (packed.config.has_watermarks()) dopu_nearest(packed.config, input.frame, packed, x, y, walk);
-  else dopu_window(packed.config, input.frame, packed, x, y, walk);
+  else if (!packed.config.has_watermarks()) dopu_window(packed.config, input.frame, packed, x, y, chunk_of);
+  else window.walks = dopu_walks(packed.config, input.frame, packed, x, y);
+  for (const uint64_t walk : window.walks) dopu_nearest(packed.config, input.frame, packed, x, y, walk, chunk_of);
+  const auto turn = [&](const GoldenSplat& one) { return window.in_parts() ? one.splat.part : 0; };
   const int octave = su_octave(packed.config, input.frame);
   for (GoldenLayer& layer : window.layers) {
-    std::sort(layer.splats.begin(), layer.splats.end(),
-              [](const GoldenSplat& a, const GoldenSplat& b) { return splat_before(a.splat, b.splat); });
+    std::sort(layer.splats.begin(), layer.splats.end(), [&](const GoldenSplat& a, const GoldenSplat& b) {
+      return turn(a) != turn(b) ? turn(a) < turn(b) : splat_before(a.splat, b.splat);
+    });
     window.called.layers += !layer.splats.empty();
     uint64_t bucket = 0;  // keys of the bucket so far
     for (size_t i = 0; i < layer.splats.size(); ++i) {

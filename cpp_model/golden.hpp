@@ -6,7 +6,7 @@
 //         in the hardware (which unit takes a chunk, which regions are skipped because they are done already) is left
 //         out: the golden model computes everything, and skipping can only leave out work that changes no pixel.
 // Order   0: layer by layer. 1: the frame is preprocessed into lists of the windows. 1 and 2: a window is one layer,
-//         sorted by {depth, index}.
+//         sorted by {depth, index}, or with order 2 part by part (dopu_walks), which changes no pixel.
 // Threads Windows are independent; the result does not depend on their number.
 #pragma once
 
@@ -20,13 +20,14 @@
 #include "cpp_model/records.hpp"
 #include "cpp_model/ru/ru_lanes.hpp"
 #include "cpp_model/ru/ru_raster.hpp"
+#include "cpp_model/dopu/walk.hpp"
 #include "cpp_model/pack/pack.hpp"
 
 namespace pipegs {
 
 // Counts of the work that a frame asks for, independent of timing.
 struct Work {
-  uint64_t fetched = 0;  // (Gaussian, window) pairs streamed into the PUs
+  uint64_t fetched = 0;  // (Gaussian, walk) pairs streamed into the PUs
   uint64_t visible = 0;  // of these, left by the cull
   uint64_t records = 0;  // of these, with at least one region: (Gaussian, part of a window) pairs that are sorted
   uint64_t regions = 0;  // (Gaussian, region) pairs whose alphas are computed
@@ -36,7 +37,7 @@ struct Work {
   uint64_t alphas = 0;   // 64 per region
   uint64_t blended = 0;  // (Gaussian, pixel) pairs that changed a pixel
   uint64_t keys = 0;     // keys sorted
-  uint64_t chunks = 0;   // (chunk, window) pairs fetched
+  uint64_t chunks = 0;   // (chunk, walk) pairs fetched
   uint64_t layers = 0;   // (layer, window) pairs with at least one chunk
   uint64_t windows = 0;
   Work& operator+=(const Work& other);
@@ -76,6 +77,7 @@ struct GoldenLayer {
 
 struct GoldenWindow {
   uint64_t x = 0, y = 0;
+  std::vector<uint64_t> walks;       // order 2, one after the other: of the whole, or of parts
   std::vector<GoldenLayer> layers;   // those with at least one chunk (order 1: one, if a list has an entry); maybe none
   std::vector<RegionState> regions;  // T, RGB, done of the finished window
   std::vector<double> depth;         // sum of weight * view depth in scene units, by region and pixel
@@ -83,6 +85,7 @@ struct GoldenWindow {
   Work work;
   Saturations saturations;
   Called called;
+  bool in_parts() const { return !walks.empty() && walks.front() != kWholeWalk; }
 };
 
 // Order 1: what the preprocessing of the whole frame leaves, each Gaussian once, and who stands in the list of a

@@ -310,7 +310,8 @@ constexpr const char* kBundles = R"(
 // The division of the overflow area, see areas.hpp: its C++ twin reads the same table.
 void print_areas(const pipegs::Config& c) {
   using pipegs::Area;
-  static constexpr const char* kNames[] = {"AreaKeys", "AreaRuns", "AreaRecords", "AreaEven", "AreaOdd", "AreaLists"};
+  static constexpr const char* kNames[] = {"AreaKeys", "AreaMerged", "AreaRuns", "AreaRecords",
+                                           "AreaEven", "AreaOdd",    "AreaLists"};
   constexpr const char* kHead =
       "  function automatic logic [AddressW-1:0] {}(input logic [AddressW-1:0] size, {}input logic [2:0] area);\n";
   std::printf("\n  // Parts of an overflow area of `size` lines: see cpp_model/areas/areas.hpp.\n");
@@ -350,8 +351,10 @@ void print_areas(const pipegs::Config& c) {
 
 void print_stages(const pipegs::Config& config) {
   std::printf("\n  // Stages of a PU on pu_phases: see cpp_model/pu/stages.def.\n");
-  for (const pipegs::PuStage& stage : pipegs::pu_stages(config)) {
-    if (stage.depth == 0) continue;
+  const std::vector<pipegs::PuStage> stages = pipegs::pu_stages(config);
+  for (const pipegs::PuStage& stage : stages) {
+    const bool other = std::ranges::any_of(stages, [&](const auto& s) { return s.name == stage.name && s.built; });
+    if (stage.depth == 0 || (other && !stage.built)) continue;
     const auto print = [&](const char* what, int value) {
       print_line(fmt::format("  localparam int unsigned {:<14} = {};", std::string(stage.camel_name) + what, value),
                  "");
@@ -377,7 +380,7 @@ void print_package(const pipegs::Config& config) {
   std::printf(
       "\n  // What a beat of a stream is.\n"
       "  localparam logic [1:0] KindData = 2'd0;\n  localparam logic [1:0] KindLayerEnd = 2'd1;\n"
-      "  localparam logic [1:0] KindWindowEnd = 2'd2;\n"
+      "  localparam logic [1:0] KindWindowEnd = 2'd2;\n  localparam logic [1:0] KindPartEnd = 2'd3;\n"
       "\n  // What a unit does in a cycle, see pipegs_perf: starved has nothing to do, blocked waits for who takes its "
       "output.\n"
       "  localparam logic [1:0] PerfBusy = 2'd0;\n  localparam logic [1:0] PerfStarved = 2'd1;\n"

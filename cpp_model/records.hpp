@@ -21,7 +21,7 @@
 namespace pipegs {
 
 // kind: what a beat of a stream is.
-enum Kind : uint64_t { kData = 0, kLayerEnd = 1, kWindowEnd = 2 };
+enum Kind : uint64_t { kData = 0, kLayerEnd = 1, kWindowEnd = 2, kPartEnd = 3 };
 
 // clang-format off
 #define PIPEGS_RECORD(Name, name) struct Name { static constexpr std::string_view kName = #name;

@@ -2,7 +2,8 @@
 // pipegs_front: from the scene to splats: the DOPU, the PUs, and the deal between the two halves of a PU.
 //
 // Paper   Fig. 7 (left), Sec. 4.1, 4.2.1, Table 2.
-// Idea    DOPU -> PU[k] (with pu_deal between cull and projection) -> splats. A clock gate per unit. Only wiring here.
+// Idea    DOPU -> PU[k] (with pu_deal between cull and projection) -> splats. With Occlusion pipegs_open tells the DOPU
+//         and the culls which regions are still open. A clock gate per unit. Only wiring here.
 // Stream  restart_i with a frame_i that is constant until busy_o falls; reads and lines of alphas that found no room go
 //         to external memory; splats out, one stream per PU; lines of alphas to the stores.
 // Model   preprocess() in cpp_model/golden.cpp
@@ -80,6 +81,18 @@ module pipegs_front #(
 
   assign spill_o.write = '1;
 
+  pipegs_pkg::open_t open;
+  if (pipegs_pkg::Occlusion != 0) begin : gen_open
+    pipegs_open u_open (
+      .clk_i,
+      .rst_ni,
+      .progress_i,
+      .open_o(open)
+    );
+  end else begin : gen_no_open
+    assign open = '0;
+  end
+
   pipegs_clock_gate u_dopu_gate (
     .clk_i,
     .rst_ni,
@@ -103,6 +116,7 @@ module pipegs_front #(
     .done_i(progress_i.done),
     .done_x_i(progress_i.x),
     .done_y_i(progress_i.y),
+    .open_i(open),
     .chunk_valid_o(chunk_valid),
     .chunk_ready_i(chunk_ready),
     .chunk_room_i(chunk_room),
@@ -132,6 +146,7 @@ module pipegs_front #(
       .tables_i(frame_i.tables),
       .areas_i,
       .windows_i(frame_i.raster.windows),
+      .open_i(open),
       .unit_i(pipegs_pkg::UnitW'(k)),
       .restart_i,
       .chunk_valid_i(chunk_valid[k]),

@@ -3,13 +3,13 @@
 // cpp_model/package_sv.cpp from config.def, records.def and control/registers.def of cpp_model (`make package`):
 // change those, never this file.
 //
-// Configuration: fronts=2,window=128,group=16,late=1,order=2,quads=1,pos_w=18,base_w=14,mantissa_w=22,coeff_f=24,tight_cull=1,tight_boxes=1,tests=2,alpha_w=10,pixel_w=32,records=1408,bucket_bits=6,nearest_nodes=1024,mark_chunks=7,taps=0.   Model  cpp_model/config.hpp, cpp_model/records.hpp
+// Configuration: fronts=1,window=128,group=16,late=1,order=2,quads=1,pos_w=18,base_w=14,mantissa_w=22,coeff_f=24,tight_cull=1,tight_boxes=1,occlusion=1,tests=2,pace=4,alpha_w=10,pixel_w=32,records=1408,bucket_bits=6,nearest_nodes=1024,mark_chunks=7,taps=0.   Model  cpp_model/config.hpp, cpp_model/records.hpp
 // Fixed point is written sI.F / uI.F; the first field of a record lies in its low bits.
 
 package pipegs_pkg;
 
   localparam int unsigned Units          = 4;  // PUs, SUs and RUs (1, 2 or 4), Table 2
-  localparam int unsigned Fronts         = 2;  // PUs that fetch and cull, at most all; every PU projects (1, 2 or 4)
+  localparam int unsigned Fronts         = 1;  // PUs that fetch and cull, at most all; every PU projects (1, 2 or 4)
   localparam int unsigned PixelsPerRow   = 2;  // pixels that one Row Unit computes in a cycle
   // side of a window (16, 32, 64 or 128); regions are 8x8 pixels, a window of 128 has four parts of 64
   localparam int unsigned Window         = 128;
@@ -56,7 +56,11 @@ package pipegs_pkg;
   // 1: a node holds the box around its Gaussians' ellipsoids, too, which the DOPU tests where they are small beside
   // their distance; 0: only that of their means, grown by the largest scale (1 needs order 2)
   localparam int unsigned TightBoxes     = 1;
+  // 1: what lies beside a rectangle around the regions still open is neither fetched nor projected; 0: it is, until the
+  // whole walk is closed (1 needs order = 2)
+  localparam int unsigned Occlusion      = 1;
   localparam int unsigned Tests          = 2;  // regions side by side that pu_intersect tests in a cycle
+  localparam int unsigned Pace           = 4;  // for which a stage of the projection keeps a Gaussian: 8 or 4
   localparam int unsigned ExpIndexW      = 6;  // index of the exp2 table
   // 1: linear interpolation between the entries of the exp2 table; 0: the entry alone, no multiplier
   localparam int unsigned ExpLinear      = 1;
@@ -105,16 +109,19 @@ package pipegs_pkg;
   localparam bit HasStores               = 1'b0;  // alpha stores lie between the PUs and the RUs
   localparam bit Oriented                = 1'b0;  // regions are those that the oriented box touches
   localparam bit SpillsAlphas            = 1'b1;  // lines of alphas may lie in external memory
-  localparam int unsigned PuFronts       = 2;  // PUs that fetch and cull
-  localparam int unsigned GeometryJobs   = 16;  // chunks whose lines such a PU has asked for
+  localparam int unsigned PuFronts       = 1;  // PUs that fetch and cull
+  localparam int unsigned GeometryJobs   = 32;  // chunks whose lines such a PU has asked for
   // lines of geometry in flight or waiting in it: as many in all, whatever their number
-  localparam int unsigned GeometryLines  = 128;
-  // Gaussians from where pu_project gives a payload to pu_conic's output: one, and two in each stage behind it
-  localparam int unsigned ShapePlaces    = 13;
-  // Gaussians from where pu_project gives a centre to where pu_covariance takes it: 1, 2 in each of four stages, 1
-  localparam int unsigned CenterDepth    = 10;
-  // Gaussians from where a payload is known to where pu_intersect takes them: the places before, 2 in pu_coeff, queue
-  localparam int unsigned PayloadDepth   = 19;
+  localparam int unsigned GeometryLines  = 256;
+  // Gaussians from where pu_project gives a payload to pu_conic's output: one place less than all; two are in pu_conic,
+  // which is no stage of the table in eight cycles
+  localparam int unsigned ShapePlaces    = 19;
+  // Gaussians from where pu_project gives a centre to where pu_covariance takes it: one at the output of the first,
+  // none at that of the last
+  localparam int unsigned CenterDepth    = 12;
+  // Gaussians from where a payload is known to where pu_intersect takes them: the places before, those in pu_coeff,
+  // queue
+  localparam int unsigned PayloadDepth   = 20;
   localparam int unsigned PartsX         = 2;  // parts along a window's side
   // parts of a window, numbered row by row: what masks, coefficients and powers are made for
   localparam int unsigned Parts          = 4;
@@ -125,7 +132,14 @@ package pipegs_pkg;
   localparam int unsigned MaskIndexW     = 6;  // index of a region in its part, row by row
   localparam int unsigned Regions        = 256;  // regions of a window
   localparam int unsigned RegionW        = 8;  // index of a region in its window: its part above its index in the part
-  // what a beat is: 0 data, 1 end of layer, 2 end of window (and of its last layer)
+  // columns or rows of regions of a window, from one side, in which none is open
+  localparam int unsigned ClosedW        = 4;
+  localparam bit HasWalks                = 1'b1;  // a window may be walked part by part
+  // what a walk covers: 0 its window, else the upper bit and below it the one part; absent where all are of windows
+  localparam int unsigned WalkW          = 3;
+  localparam int unsigned WalkMostW      = 24;  // Gaussians of a walk; absent likewise
+  // what a beat is: 0 data, 1 end of layer, 2 end of window (and of its last layer), 3 end of a walk of a part that is
+  // not its window's last
   localparam int unsigned KindW          = 2;
   localparam int unsigned BitW           = 1;  // a flag
   // sort key: depth, then index, so equal depths are ordered by index, then the part; no index without IndexTies
@@ -134,7 +148,11 @@ package pipegs_pkg;
   // octave of a bucket: the depth key's exponent; with watermarks 16 of them, from the near plane's on
   localparam int unsigned OctaveW        = 4;
   localparam int unsigned BucketW        = 10;  // bucket of depth: its octave, then leading bits of the mantissa
+  // leading bits of a bucket: where in depth a window's load is counted (dopu_load)
+  localparam int unsigned LoadW          = 8;
   localparam int unsigned WindowW        = 10;  // column or row of a window in the frame
+  // where a beat belongs, as chunk, fetched and visible have it: its window, then its walk
+  localparam int unsigned PlaceW         = 23;
   localparam int unsigned SizeW          = 15;  // width or height of the frame, pixels
   localparam int unsigned ExpW           = 6;  // block exponent, unsigned
   localparam int unsigned FloatEW        = 9;  // exponent of a normalised mantissa, signed
@@ -284,7 +302,7 @@ package pipegs_pkg;
   localparam int unsigned NearestLines   = 64;  // lines of the node tables in flight or waiting, each level (order 2)
   // chunks that wait, from which on no group is opened without need (order 2)
   localparam int unsigned NearestAhead   = 128;
-  localparam int unsigned WindowMarks    = 63;  // most watermarks of a window, 2^n - 1
+  localparam int unsigned WindowMarks    = 127;  // most watermarks of a window, 2^n - 1
   localparam int unsigned ReachDepth     = 16;  // Gaussians in pu_reach: those whose test is under way (tight_cull)
   // Gaussians that pu_deal has dealt to a PU: few, they cannot go to another one
   localparam int unsigned VisibleDepth   = 4;
@@ -308,20 +326,23 @@ package pipegs_pkg;
   localparam int unsigned RuLocalLines   = 4;  // lines of alpha stores that an RU has asked for
   localparam int unsigned RuRowLines     = 2;  // lines of alphas that an RU's own Row Units have ready (late)
   localparam int unsigned RuGroups       = 4;  // groups of four lanes in an RU (quads)
-  localparam int unsigned RuHalves       = 4;  // halves of regions that wait before a group of lanes (quads)
+  localparam int unsigned RuHalves       = 16;  // halves of regions that wait before a group of lanes (quads)
   localparam int unsigned RuDrained      = 2;  // words of finished pixels that wait for memory in an RU (quads)
   localparam int unsigned NodeLines      = 64;  // lines of the node tables in flight or waiting, each level
-  localparam int unsigned SuMarks        = 128;  // watermarks of two windows, or ends of two layers, that an SU keeps
+  localparam int unsigned SuMarks        = 256;  // watermarks of two windows, or ends of two layers, that an SU keeps
   localparam int unsigned SuWays         = 16;  // sorted runs in external memory that an SU merges at once (overflow)
   localparam int unsigned SuWayLines     = 8;  // lines of each of them that its pool holds, eight slots each
   localparam int unsigned SuRunKeys      = 6;  // keys of a run in a line, each with the number of its record
-  localparam int unsigned RuQueue        = 64;  // Gaussians before an RU: evens out which one has more to do
+  // records of a set that spilled that return to the pool of an SU: no more may be left
+  localparam int unsigned SuRefill       = 704;
+  localparam int unsigned RuQueue        = 256;  // Gaussians before an RU: evens out which one has more to do
   localparam int unsigned RuRecords      = 40;  // Gaussians in an RU whose lines of alphas are on their way
 
   // What a beat of a stream is.
   localparam logic [1:0] KindData = 2'd0;
   localparam logic [1:0] KindLayerEnd = 2'd1;
   localparam logic [1:0] KindWindowEnd = 2'd2;
+  localparam logic [1:0] KindPartEnd = 2'd3;
 
   // What a unit does in a cycle, see pipegs_perf: starved has nothing to do, blocked waits for who takes its output.
   localparam logic [1:0] PerfBusy = 2'd0;
@@ -463,6 +484,26 @@ package pipegs_pkg;
   localparam int unsigned WindowsBits = 40;
 
   typedef struct packed {
+    logic [ClosedW-1:0] bottom;
+    logic [ClosedW-1:0] top;
+    logic [ClosedW-1:0] right;
+    logic [ClosedW-1:0] left;
+  } closed_t;
+  localparam int unsigned ClosedBits = 16;
+
+  typedef struct packed {
+    closed_t part_3;
+    closed_t part_2;
+    closed_t part_1;
+    closed_t part_0;  // of a part alone, if it has parts
+    closed_t whole;  // of all of it
+    logic [WindowW-1:0] window_y;  // row of the window
+    logic [WindowW-1:0] window_x;  // column of the window
+    logic known;  // all RUs are in one window, this one
+  } open_t;
+  localparam int unsigned OpenBits = 101;
+
+  typedef struct packed {
     windows_t windows;
     logic [SizeW-1:0] height;  // pixels
     logic [SizeW-1:0] width;  // pixels
@@ -470,13 +511,15 @@ package pipegs_pkg;
   localparam int unsigned RasterBits = 70;
 
   typedef struct packed {
+    // Gaussians at one depth from which on a window is walked part by part; 0: never is
+    logic [WalkMostW-1:0] walk_most;
     raster_t raster;
     tables_t tables;
     grid_t grid;
     lens_t lens;
     camera_t camera;
   } frame_t;
-  localparam int unsigned FrameBits = 1244;
+  localparam int unsigned FrameBits = 1268;
 
   typedef struct packed {
     logic [CountW-1:0] count;  // cell: groups; group: chunks; chunk: Gaussians
@@ -537,11 +580,12 @@ package pipegs_pkg;
     logic signed [ViewW-1:0] origin_z;
     logic signed [ViewW-1:0] origin_y;
     logic signed [ViewW-1:0] origin_x;  // chunk centre in view space, unit 2^view_exp
+    logic [WalkW-1:0] walk;
     logic [WindowW-1:0] window_y;
     logic [WindowW-1:0] window_x;
     logic [KindW-1:0] kind;
   } chunk_t;
-  localparam int unsigned ChunkBits = 182;
+  localparam int unsigned ChunkBits = 185;
 
   typedef struct packed {
     logic [SlotW-1:0] slot;
@@ -565,11 +609,12 @@ package pipegs_pkg;
     logic signed [ViewW-1:0] origin_z;
     logic signed [ViewW-1:0] origin_y;
     logic signed [ViewW-1:0] origin_x;  // chunk centre in view space, unit 2^view_exp
+    logic [WalkW-1:0] walk;
     logic [WindowW-1:0] window_y;
     logic [WindowW-1:0] window_x;
     logic [KindW-1:0] kind;
   } fetched_t;
-  localparam int unsigned FetchedBits = 396;
+  localparam int unsigned FetchedBits = 399;
 
   typedef struct packed {
     logic [SlotW-1:0] slot;
@@ -589,11 +634,12 @@ package pipegs_pkg;
     logic signed [ViewW-1:0] view_z;
     logic signed [ViewW-1:0] view_y;
     logic signed [ViewW-1:0] view_x;  // mean in view space, unit 2^view_exp
+    logic [WalkW-1:0] walk;
     logic [WindowW-1:0] window_y;
     logic [WindowW-1:0] window_x;
     logic [KindW-1:0] kind;
   } visible_t;
-  localparam int unsigned VisibleBits = 336;
+  localparam int unsigned VisibleBits = 339;
 
   typedef struct packed {
     logic untested;  // its scale has no room in view units: it is kept
@@ -611,7 +657,7 @@ package pipegs_pkg;
     gap_t gap;
     visible_t visible;
   } culled_t;
-  localparam int unsigned CulledBits = 478;
+  localparam int unsigned CulledBits = 481;
 
   typedef struct packed {
     logic [ScaleW-1:0] scale_2;
@@ -637,6 +683,7 @@ package pipegs_pkg;
   localparam int unsigned CenterBits = 80;
 
   typedef struct packed {
+    logic [WalkW-1:0] walk;
     logic [SlotW-1:0] slot;
     logic [IndexW-1:0] index;
     logic signed [BaseW-1:0] base_b;
@@ -647,13 +694,13 @@ package pipegs_pkg;
     logic signed [DirectionW-1:0] dir_x;  // view-space direction to the mean, block-normalised
     logic [DepthW-1:0] depth;  // depth key of view z: exponent, then mantissa
   } payload_t;
-  localparam int unsigned PayloadBits = 168;
+  localparam int unsigned PayloadBits = 171;
 
   typedef struct packed {
     logic [PartW-1:0] part;
     payload_t payload;
   } parted_t;
-  localparam int unsigned PartedBits = 170;
+  localparam int unsigned PartedBits = 173;
 
   typedef struct packed {
     logic [ScaleW-1:0] scale_2;
@@ -1041,34 +1088,40 @@ package pipegs_pkg;
   localparam int unsigned MemoryRequestBits = 45;
 
   // Stages of a PU on pu_phases: see cpp_model/pu/stages.def.
-  localparam int unsigned ProjectDepth   = 4;
-  localparam int unsigned ProjectClaim   = 4;
-  localparam int unsigned OrientDepth    = 1;
-  localparam int unsigned OrientClaim    = 5;
+  localparam int unsigned ProjectDepth   = 6;
+  localparam int unsigned ProjectClaim   = 6;
+  localparam int unsigned OrientDepth    = 6;
+  localparam int unsigned OrientClaim    = 6;
   localparam int unsigned JacobianDepth  = 2;
   localparam int unsigned JacobianClaim  = 2;
   localparam int unsigned FactorsDepth   = 2;
   localparam int unsigned FactorsClaim   = 2;
-  localparam int unsigned SquaresDepth   = 2;
+  localparam int unsigned SquaresDepth   = 3;
   localparam int unsigned SquaresClaim   = 3;
-  localparam int unsigned CovarianceDepth = 1;
-  localparam int unsigned CovarianceClaim = 7;
+  localparam int unsigned CovarianceDepth = 5;
+  localparam int unsigned CovarianceClaim = 5;
   localparam int unsigned AxesDepth      = 7;
   localparam int unsigned AxesClaim      = 7;
   localparam int unsigned BoxDepth       = 5;
   localparam int unsigned BoxClaim       = 7;
+  localparam int unsigned ConicDepth     = 11;
+  localparam int unsigned ConicClaim     = 14;
+  localparam int unsigned CoeffDepth     = 6;
+  localparam int unsigned CoeffClaim     = 6;
 
   // Parts of an overflow area of `size` lines: see cpp_model/areas/areas.hpp.
   localparam logic [2:0] AreaKeys = 3'd0;
-  localparam logic [2:0] AreaRuns = 3'd1;
-  localparam logic [2:0] AreaRecords = 3'd2;
-  localparam logic [2:0] AreaEven = 3'd3;
-  localparam logic [2:0] AreaOdd = 3'd4;
-  localparam logic [2:0] AreaLists = 3'd5;
+  localparam logic [2:0] AreaMerged = 3'd1;
+  localparam logic [2:0] AreaRuns = 3'd2;
+  localparam logic [2:0] AreaRecords = 3'd3;
+  localparam logic [2:0] AreaEven = 3'd4;
+  localparam logic [2:0] AreaOdd = 3'd5;
+  localparam logic [2:0] AreaLists = 3'd6;
   // lines of it
   function automatic logic [AddressW-1:0] area_lines(input logic [AddressW-1:0] size, input logic [2:0] area);
     case (area)
-      AreaKeys: area_lines = size >> 4;
+      AreaKeys: area_lines = size >> 5;
+      AreaMerged: area_lines = size >> 5;
       AreaRuns: area_lines = size >> 4;
       AreaRecords: area_lines = size >> 3;
       AreaEven: area_lines = size >> 4;
@@ -1081,6 +1134,7 @@ package pipegs_pkg;
   function automatic logic [AddressW-1:0] area_place(input logic [AddressW-1:0] size, input logic [2:0] area);
     case (area)
       AreaKeys: area_place = '0;
+      AreaMerged: area_place = (size >> 5);
       AreaRuns: area_place = (size >> 4);
       AreaRecords: area_place = (size >> 4) << 1;
       AreaEven: area_place = (size >> 4) << 1;
@@ -1189,9 +1243,9 @@ package pipegs_pkg;
     48'h0088_060c1012,  // CONFIG_GAUSSIAN
     48'h0084_00030e52,  // CONFIG_POINT
     48'h0080_10048004,  // CONFIG_COUNTS
-    48'h000c_40dcc25f,  // CONFIG_HASH
-    48'h0008_880a33ce,  // LAYOUT
-    48'h0004_00020000,  // VERSION
+    48'h000c_fa43bfdf,  // CONFIG_HASH
+    48'h0008_983831c8,  // LAYOUT
+    48'h0004_00020001,  // VERSION
     48'h0000_47504950  // ID
   };
 
@@ -1205,20 +1259,21 @@ package pipegs_pkg;
   // What a start queues: frame_t, areas_t and picture_t in this order, the first one lowest. A slot is {byte
   // offset of its low word (16 bits), lowest bit of its value in what is queued (16), width of the value (8),
   // bit of the slot at which it begins (8), 1 if it is signed (8)}.
-  localparam int unsigned ControlShadowBits = 1563;
-  localparam int unsigned ControlSlots = 59;
+  localparam int unsigned ControlShadowBits = 1587;
+  localparam int unsigned ControlSlots = 60;
   localparam logic [ControlSlots*56-1:0] ControlSlotTable = {
-    56'h0490_060f_0c_06_00,  // stride
-    56'h0488_05ed_22_06_00,  // base
-    56'h0480_05ec_01_00_00,  // format
-    56'h0438_05ca_22_06_00,  // picture
-    56'h0430_05a8_22_06_00,  // overflow
-    56'h0428_0586_22_06_00,  // pixels
-    56'h0420_0564_22_06_00,  // colors
-    56'h0418_0542_22_06_00,  // gaussians
-    56'h0410_0520_22_06_00,  // chunks
-    56'h0408_04fe_22_06_00,  // groups
-    56'h0400_04dc_22_06_00,  // cells
+    56'h0490_0627_0c_06_00,  // stride
+    56'h0488_0605_22_06_00,  // base
+    56'h0480_0604_01_00_00,  // format
+    56'h0438_05e2_22_06_00,  // picture
+    56'h0430_05c0_22_06_00,  // overflow
+    56'h0428_059e_22_06_00,  // pixels
+    56'h0420_057c_22_06_00,  // colors
+    56'h0418_055a_22_06_00,  // gaussians
+    56'h0410_0538_22_06_00,  // chunks
+    56'h0408_0516_22_06_00,  // groups
+    56'h0400_04f4_22_06_00,  // cells
+    56'h0380_04dc_18_00_00,  // walk_most
     56'h0378_04d2_0a_00_00,  // raster.windows.last_y
     56'h0370_04c8_0a_00_00,  // raster.windows.last_x
     56'h0368_04be_0a_00_00,  // raster.windows.first_y

@@ -11,6 +11,7 @@ Rule    What there is once in each unit, or in each PU that fetches, and is so w
 """
 import argparse
 import collections
+import functools
 import hashlib
 import os
 import re
@@ -21,9 +22,9 @@ import points
 import synth
 from jobs import Failed, Jobs
 
-# Every knob that moves gates: of `pipegs accuracy`, of `pipegs study shapes`, and of the design points. Each at a value
-# that none of DESIGN_POINTS has, or at each of its values where it has no more. Without spherical harmonics whole
-# blocks are gone.
+# Every knob that moves gates: of `pipegs accuracy`, of `pipegs study shapes`, and of the design points, but for those
+# that make another kind of machine (sim/silicon/area/machine_kind.hpp). Each at a value that none of DESIGN_POINTS has,
+# or at each of its values where it has no more. Without spherical harmonics whole blocks are gone.
 KNOBS = [
     "coeff_f=22",
     "power_f=16",
@@ -52,8 +53,10 @@ KNOBS = [
     "grid=2",
     "records=512",
     "units=2",
-    "fronts=1",
+    "fronts=2",
     "group=8",
+    "occlusion=0",
+    "occlusion=1",
     "tests=1",
     "tests=2",
     "tight_cull=0",
@@ -71,10 +74,10 @@ KNOBS = [
 DESIGN_POINTS = ["fast", "exact", "dop", "baseline", "gscore"]  # together they hold every block of points.csv
 
 
-def digests(modules):
+def digests(jobs, package):
     """{block: how many modules with which digest it holds}"""
     texts = collections.defaultdict(collections.Counter)
-    for module, _, block, _ in points.instances(modules):
+    for module, _, block, _ in points.instances(synth.elaborate(jobs, package)):
         lines = sorted(re.sub(r"\$\d+", "$", line) for line in module.text().splitlines())
         texts[block][hashlib.sha256("\n".join(lines).encode()).hexdigest()] += 1
     return texts
@@ -104,25 +107,27 @@ def depends(base, moved, of_base, of_moved):
 
 def main():
     parser = argparse.ArgumentParser(description="Which knobs each block depends on.")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="programs at once")
     parser.add_argument("--build", default="build", help="build folder; holds cpp_model/package_sv")
     parser.add_argument("--out", default=f"{synth.HERE}/data/depends.csv", help="the table")
     options = parser.parse_args()
-    jobs = Jobs(os.path.abspath(f"{options.build}/synth/cache"), 1)
+    jobs = Jobs(os.path.abspath(f"{options.build}/synth/cache"), options.jobs)
     found, line = collections.defaultdict(set), points.tables.whole_line()
     for design_point in DESIGN_POINTS:
         own = points.package(options.build, design_point)
-        base = digests(synth.elaborate(jobs, own))
-        for block in base:
-            found[block] |= set()
-        for number, knob in enumerate(KNOBS, 1):
-            printed = package_with(options.build, design_point, knob)
-            if printed in (None, own):
-                continue
-            print(f"{design_point}: {number} of {len(KNOBS)}: {knob}", flush=True)
-            moved = digests(synth.elaborate(jobs, printed))
-            for block in base:
-                if depends(base[block], moved.get(block, {}), copies(own), copies(printed)):
-                    found[block].add(knob.split("=")[0])
+        moved = {knob: package_with(options.build, design_point, knob) for knob in KNOBS}
+        moved = {knob: printed for knob, printed in moved.items() if printed not in (None, own)}
+        print(f"{design_point}: {len(moved)} knobs", flush=True)
+        texts = jobs.each(
+            f"knobs of {design_point}",
+            [(knob, 1, functools.partial(digests, jobs, printed)) for knob, printed in {"": own, **moved}.items()],
+        )
+        for block, base in texts[""].items():
+            found[block] |= {
+                knob.split("=")[0]
+                for knob, printed in moved.items()
+                if depends(base, texts[knob].get(block, {}), copies(own), copies(printed))
+            }
     rows = "".join(f"{block},{' '.join(sorted(knobs))}\n" for block, knobs in sorted(found.items()))
     synth.write_new(options.out, f"{line}\nblock,knobs\n{rows}")
 

@@ -45,7 +45,12 @@ class Jobs:
         os.makedirs(scratch)
         try:
             make(scratch)
-            os.rename(scratch, folder)
+            try:
+                os.rename(scratch, folder)
+            except OSError:
+                if not os.path.isdir(folder):
+                    raise
+                shutil.rmtree(scratch)  # another program has made it meanwhile
         except Failed:
             failed = f"{folder}.failed"  # for its log
             shutil.rmtree(failed, ignore_errors=True)

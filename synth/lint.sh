@@ -42,9 +42,10 @@ if [ ${#modules[@]} -eq 0 ] && [ -z "$corners" ]; then
 fi
 declare -A point  # settings of each design point
 while read -r name settings; do point[$name]=$settings; done < <(synth/design_points.py)
-# Machines beside the design points, as settings, for what none of those has: pu_compensate; a second cull or living
-# quads in windows of one part; a narrow bus and clocks that never stop; nothing that can be left out.
-others=("antialias=1 bus_w=128 clock_gates=0" "tight_cull=1" "late=1 order=2 quads=1"
+# Machines beside the design points, as settings, for what none of those has: pu_compensate and stages of four
+# cycles; a second cull or living quads in windows of one part; a narrow bus and clocks that never stop; nothing that
+# can be left out.
+others=("antialias=1 pace=4 bus_w=128 clock_gates=0" "tight_cull=1" "late=1 order=2 quads=1"
   "sh_degree=0 near_test=0 guard_band=0 saturation=0 early_stop=0 layered=0 index_ties=0 overflow=0 large_groups=0 \
 taps=0")
 elaborated=() simulated=("bus_w=0")
@@ -63,13 +64,16 @@ else
 fi
 # Modules that the default configuration has not: a machine that has them.
 declare -A machine_of=([pu_compensate]="antialias=1")
+for module in project orient jacobian factors squares covariance conic extent coeff; do
+  machine_of[pu_four_$module]="pace=4"
+done
 of() { local module; for module in "${@:2}"; do machine_of[$module]=${point[$1]}; done; }
 of late pu_late ru_rows
 of baseline pu_power
 of dpc pu_expand pu_list pu_record pipegs_lists pipegs_list_write pipegs_list_read
 of tspp pu_lines pu_fill
 of exact pu_marks dopu_depth dopu_bucket dopu_rank dopu_open dopu_send dopu_nearest
-of fast ru_live ru_regions ru_power ru_quads pu_parts pu_reach
+of fast dopu_load ru_live ru_regions ru_power ru_quads pu_parts pu_reach
 of gscore pu_axes pu_box pu_touch
 package() {  # the path of the package with these settings
   local folder; folder=$scratch/$(cksum <<< "$1" | tr ' ' _)

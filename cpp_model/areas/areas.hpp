@@ -6,7 +6,7 @@
 // Idea    The host gives an area of any size; every part of it is the size shifted, so the machine divides by nothing.
 //         With lists the lower half is theirs. The rest is shared out to the units, and a share to what a unit keeps
 //         there: in its lower half the SU's (all of the share when no alphas go to memory), in its upper half alphas.
-//           SU       keys, 1/4 | runs, 1/4 | records, 1/2
+//           SU       keys, 1/8 | merged runs, 1/8 | runs, 1/4 | records, 1/2
 //           alphas   of the layers that overflow, in turn even, 1/2 | odd, 1/2; with lists all alphas of the frame
 //         A list has 2^n lines, the largest power of two of which the half has one for each window, and ListGap lines
 //         stand empty behind it: lists a power of two apart would all begin in the same bank of a DRAM.
@@ -21,8 +21,9 @@
 
 namespace pipegs {
 
-enum class Area { kKeys, kRuns, kRecords, kEven, kOdd, kLists };
-inline constexpr Area kAllAreas[] = {Area::kKeys, Area::kRuns, Area::kRecords, Area::kEven, Area::kOdd, Area::kLists};
+enum class Area { kKeys, kMerged, kRuns, kRecords, kEven, kOdd, kLists };
+inline constexpr Area kAllAreas[] = {Area::kKeys, Area::kMerged, Area::kRuns, Area::kRecords,
+                                     Area::kEven, Area::kOdd,    Area::kLists};
 
 // An area has size >> lines_shift lines and begins times * (size >> place_shift) lines behind the first one of its
 // unit's share.
@@ -38,7 +39,8 @@ inline int area_share_shift(const Config& c) { return clog2(c.units) + c.has_lis
 inline AreaPlan area_plan(const Config& c, Area area) {
   const int share = area_share_shift(c), sort = share + has_alpha_areas(c);
   switch (area) {
-    case Area::kKeys: return {sort + 2, 0, 0};
+    case Area::kKeys: return {sort + 3, 0, 0};
+    case Area::kMerged: return {sort + 3, 1, sort + 3};
     case Area::kRuns: return {sort + 2, 1, sort + 2};
     case Area::kRecords: return {sort + 1, 2, sort + 2};
     case Area::kEven: return {share + (c.has_lists() ? 1 : 2), 2, share + 2};

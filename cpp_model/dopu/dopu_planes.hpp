@@ -15,6 +15,7 @@
 #include <array>
 
 #include "cpp_model/fixed.hpp"
+#include "cpp_model/dopu/walk.hpp"
 #include "cpp_model/records.hpp"
 
 namespace pipegs {
@@ -43,16 +44,26 @@ inline Plane dopu_planes_side(const Config& config, const int64_t (&side)[3], co
   return plane;
 }
 
-// With lists (order 1) the planes of the rectangle from this window to the frame's last one.
-inline Planes dopu_planes(const Config& config, const Frame& frame, int window_x, int window_y) {
+// Of a window's walk without what is closed of it (Occlusion); with lists (order 1) the planes of the rectangle from
+// this window to the frame's last one.
+inline Planes dopu_planes(const Config& config, const Frame& frame, int window_x, int window_y,
+                          uint64_t walk = kWholeWalk, const Closed& closed = {}) {
   const int64_t right[3] = {frame.camera.rotation.w00, frame.camera.rotation.w01, frame.camera.rotation.w02},
                 down[3] = {frame.camera.rotation.w10, frame.camera.rotation.w11, frame.camera.rotation.w12};
   const int64_t forward[3] = {frame.camera.rotation.w20, frame.camera.rotation.w21, frame.camera.rotation.w22};
-  const int64_t x0 = int64_t{window_x} * config.window, y0 = int64_t{window_y} * config.window;
-  const int64_t end_x = (config.has_lists() ? static_cast<int64_t>(frame.raster.windows.last_x) : window_x) + 1;
-  const int64_t end_y = (config.has_lists() ? static_cast<int64_t>(frame.raster.windows.last_y) : window_y) + 1;
-  const int64_t x1 = std::min<int64_t>(end_x * config.window, static_cast<int64_t>(frame.raster.width)) - 1;
-  const int64_t y1 = std::min<int64_t>(end_y * config.window, static_cast<int64_t>(frame.raster.height)) - 1;
+  const WalkSquare square = walk_square(config, walk);
+  const auto pixels = [](uint64_t regions) { return static_cast<int64_t>(regions) * 8; };
+  const int64_t walk_x = int64_t{window_x} * config.window + square.x,
+                walk_y = int64_t{window_y} * config.window + square.y;
+  const auto end = [&](int64_t first, uint64_t last_window) {
+    return config.has_lists() ? static_cast<int64_t>(last_window + 1) * config.window : first + square.side;
+  };
+  const auto last = [&](int64_t end, uint64_t beside, uint64_t size) {
+    return std::min(end - pixels(beside), static_cast<int64_t>(size)) - 1;
+  };
+  const int64_t x0 = walk_x + pixels(closed.left), y0 = walk_y + pixels(closed.top);
+  const int64_t x1 = last(end(walk_x, frame.raster.windows.last_x), closed.right, frame.raster.width);
+  const int64_t y1 = last(end(walk_y, frame.raster.windows.last_y), closed.bottom, frame.raster.height);
   const int drop = config.rot_w() - config.test_w();
   Planes planes;
   planes[kNear] = {shift_floor(frame.camera.rotation.w20, drop), shift_floor(frame.camera.rotation.w21, drop),

@@ -61,8 +61,12 @@ inline Corners dopu_test_corners(const Config& config, const Frame& frame, const
   return box;
 }
 
-// Does the node pass all planes of a window?
-inline bool dopu_test(const Config& config, const Frame& frame, const Planes& planes, const Node& node, int step) {
+// What flooring takes from a sum of products at most.
+inline int64_t dopu_test_slack(const Config& config) { return int64_t{1} << (config.test_w() + 2); }
+
+// Which planes of a window does the node pass? A bit for each.
+inline unsigned dopu_test_planes(const Config& config, const Frame& frame, const Planes& planes, const Node& node,
+                                 int step) {
   const int width = config.test_w();
   const Corners box = dopu_test_corners(config, frame, node, step);
   const int scale_e = static_cast<int>(box.scale >> config.scale_m_w);
@@ -74,16 +78,21 @@ inline bool dopu_test(const Config& config, const Frame& frame, const Planes& pl
   const int64_t scale = up >= 0 ? mantissa << up : shift_floor(mantissa, -up);
   const int64_t most = (int64_t{1} << (width - 1)) - 1;
   const int64_t near = std::min(most, shift_floor(static_cast<int64_t>(frame.lens.near_plane), box.exponent));
-  const int64_t slack = int64_t{1} << (width + 2);
-  bool inside = true;
+  const int64_t slack = dopu_test_slack(config);
+  unsigned passed = 0;
   for (int side = 0; side < kPlanes; ++side) {
     const Plane& p = planes[static_cast<size_t>(side)];
     const int64_t distance = p.nx * (p.nx >= 0 ? box.high[0] : box.low[0]) +
                              p.ny * (p.ny >= 0 ? box.high[1] : box.low[1]) +
                              p.nz * (p.nz >= 0 ? box.high[2] : box.low[2]) + p.reach * (side == kNear ? near : scale);
-    inside = inside && distance + slack >= 0;
+    passed |= unsigned{distance + slack >= 0} << side;
   }
-  return inside;
+  return passed;
+}
+
+// All of them?
+inline bool dopu_test(const Config& config, const Frame& frame, const Planes& planes, const Node& node, int step) {
+  return dopu_test_planes(config, frame, planes, node, step) == (1u << kPlanes) - 1;
 }
 
 }  // namespace pipegs

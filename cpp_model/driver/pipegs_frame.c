@@ -337,5 +337,6 @@ enum pipegs_setup pipegs_setup_job(const struct pipegs_configuration *config, co
   frame->grid_scale_x = scene->grid_scale[0];
   frame->grid_scale_y = scene->grid_scale[1];
   frame->grid_scale_z = scene->grid_scale[2];
+  frame->walk_most = config->order == 2 && config->parts > 1 ? PIPEGS_WALK_MOST : 0;
   return set_tables(config, scene, memory, pipegs_pixels_size(config, camera), job);
 }

@@ -62,6 +62,10 @@ struct pipegs_memory {
 };
 #define PIPEGS_OVERFLOW_ALIGNMENT UINT64_C(0x40000)
 
+/* Frame field walk_most as pipegs_setup_job leaves it: a window with more Gaussians at about one depth is walked part
+ * by part. No pixel depends on it; a caller may write any number, 0 for windows that are always walked whole. */
+#define PIPEGS_WALK_MOST 32000
+
 /* Columns and rows of windows, both ends included. */
 struct pipegs_windows {
   uint32_t first_x, first_y, last_x, last_y;

@@ -4,12 +4,14 @@
 // Paper   Sec. 4.2: the paper's windows have one part.
 // Idea    A larger window fetches, culls and projects a Gaussian once for four windows of the old size; behind that the
 //         mean is moved to the first pixel of each part, exactly, and saturated as pu_project does it in a window of
-//         that size: the beat is bit for bit what a machine with windows as large as the part has there.
+//         that size: the beat is bit for bit what a machine with windows as large as the part has there. Where one
+//         part is walked it has no beat in the others.
 // RTL     rtl/pu/pu_parts.sv
 #pragma once
 
 #include <vector>
 
+#include "cpp_model/dopu/walk.hpp"
 #include "cpp_model/fixed.hpp"
 #include "cpp_model/pu/pu_span.hpp"
 #include "cpp_model/records.hpp"
@@ -21,8 +23,8 @@ struct PuPart {
   uint64_t part = 0;
 };
 
-// Row by row; none for a Gaussian whose box touches no part. With one part the Gaussian as it is.
-inline std::vector<PuPart> pu_parts(const Config& c, const Conic& conic) {
+// Row by row those of the walk; none for a Gaussian whose box touches none. With one part the Gaussian as it is.
+inline std::vector<PuPart> pu_parts(const Config& c, const Conic& conic, uint64_t walk = kWholeWalk) {
   if (c.parts() == 1) return {{conic, 0}};
   const int side = c.part_side(), to_mean = clog2(side) + c.mean_f;
   const std::optional<PuSpan> xs = pu_span(c, conic.mean_x, conic.extent_x, side, c.parts_x() - 1),
@@ -31,7 +33,9 @@ inline std::vector<PuPart> pu_parts(const Config& c, const Conic& conic) {
   if (!xs || !ys) return parts;
   for (int64_t y = ys->first; y <= ys->last; ++y) {
     for (int64_t x = xs->first; x <= xs->last; ++x) {
-      parts.push_back({conic, static_cast<uint64_t>(y * c.parts_x() + x)});
+      const auto part = static_cast<uint64_t>(y * c.parts_x() + x);
+      if (!walk_has(c, walk, part)) continue;
+      parts.push_back({conic, part});
       PuPart& one = parts.back();
       one.conic.mean_x = saturate(conic.mean_x - (x << to_mean), c.window_mean_w());
       one.conic.mean_y = saturate(conic.mean_y - (y << to_mean), c.window_mean_w());

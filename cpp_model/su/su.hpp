@@ -60,7 +60,7 @@ inline std::vector<Splat> su_stream(const Config& config, std::span<const Splat>
       continue;
     }
     su_sort(held);
-    const bool all = !config.has_watermarks() || beat.kind == kWindowEnd;
+    const bool all = !config.has_watermarks() || beat.kind != kLayerEnd;
     const uint64_t mark = su_bucket(config, beat.depth, octave);
     const auto stop = std::find_if(held.begin(), held.end(),
                                    [&](const Splat& s) { return !all && su_bucket(config, s.depth, octave) >= mark; });

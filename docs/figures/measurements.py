@@ -45,20 +45,29 @@ ADDED = {  # from exact towards fast: what each step adds to the one before
     "buckets": ("buckets of 1/64 octave", "--set bucket_bits=6"),
     "tests2": ("two tests of regions in a cycle", "--set tests=2"),
     "tight": ("a cull by the ellipse itself", "--set tight_cull=1"),
-    "fronts": ("two of the four PUs fetch and cull", "--set fronts=2"),
+    "fronts": ("one of the four PUs fetches and culls", "--set fronts=1"),
     "boxes": ("boxes around ellipsoids in the DOPU, groups of 16 chunks", "--set tight_boxes=1 --set group=16"),
+    "pace": ("a Gaussian every four cycles", "--set pace=4"),
+    "occlusion": ("nothing behind what is opaque", "--set occlusion=1"),
 }
 SUMS = accumulate((change for _, change in ADDED.values()), "{} {}".format)
 STEPS = {name: (what, change) for (name, (what, _)), change in zip(ADDED.items(), SUMS)}
-LARGE = {"fast": "", "records4096": "--set records=4096 "}  # showroom, 3.0 M Gaussians
+SIX = (*FOUR, "showroom", "campsite")
+LEFT_OUT = {  # of fast: what each of its steps towards large scenes gives, by taking it away
+    "whole": "--walk-most 0",
+    "occlusion": "--set occlusion=0",
+    "pace": "--set pace=8",
+    "fronts": "--set fronts=2",
+}
+GAINED = ("own", "statue", "showroom", "campsite")
 SCALED = {  # our own scene in parts, and the view: millions of Gaussians, then pixels
-    **{f"{millions}m": (f"own_{millions}m", 0) for millions in (1, 4, 8)},
+    **{f"{millions}m": (f"own_{millions}m", 0) for millions in (1, 4, 16)},
     "4k": ("own_1m", VIEWS_OF_SIZE * SIZES.index("3840x2160")),
 }
 MEMORIES = {  # settings of the design point
     "dop": "",
-    "fast": "fronts=2 window=128 group=16 late=1 order=2 quads=1 pos_w=18 base_w=14 mantissa_w=22 coeff_f=24 "
-            "tight_cull=1 tight_boxes=1 tests=2 alpha_w=10 pixel_w=32 records=1408 bucket_bits=6 "
+    "fast": "fronts=1 window=128 group=16 late=1 order=2 quads=1 pos_w=18 base_w=14 mantissa_w=22 coeff_f=24 "
+            "tight_cull=1 tight_boxes=1 occlusion=1 tests=2 pace=4 alpha_w=10 pixel_w=32 records=1408 bucket_bits=6 "
             "nearest_nodes=1024 mark_chunks=7",
 }
 BY_BANDWIDTH = ("baseline", "dop", "exact", "fast")
@@ -81,14 +90,14 @@ TABLE = [
                   points=("dop",)) for name, change in STORES.items() for scene in CHARTED],
     *[Measurement(f"bus/{scene}_{bits}", f"build/pipegs model {{scene}} --design fast --set bus_w={bits} --json", MODEL,
                   scene, points=("fast",)) for bits in BUSES for scene in BUSY],
-    *[Measurement(f"large/{name}", f"build/pipegs model {{scene}} --design fast {change}--json", MODEL, "showroom",
-                  points=("fast",)) for name, change in LARGE.items()],
+    *[Measurement(f"gains/{scene}_{name}", f"build/pipegs model {{scene}} --design fast {change} --json", MODEL, scene,
+                  points=("fast",)) for name, change in LEFT_OUT.items() for scene in GAINED],
     *[Measurement(f"walks/{scene}", f"build/pipegs sim {{scene}} --design fast --path {FRAMES} --no-rtl --frames none "
                   f"--out paths/{scene} --json", (*PRICED, "path"), scene, None, ("fast",)) for scene in CHARTED],
     *[Measurement(f"scale/sim_{name}", "build/pipegs sim {scene} --design fast --no-rtl --json", ("models",), scene,
                   view, ("fast",), alone=True) for name, (scene, view) in SCALED.items()],
-    *[Measurement(f"scale/model_{name}", "build/pipegs model {scene} --design fast --set records=4096 --json", MODEL,
-                  scene, view, ("fast",), alone=True) for name, (scene, view) in SCALED.items()],
+    *[Measurement(f"scale/model_{name}", "build/pipegs model {scene} --design fast --json", MODEL, scene, view,
+                  ("fast",), alone=True) for name, (scene, view) in SCALED.items()],
     *[Measurement(f"profile/{scene}", "build/pipegs study profile {scene} --json", ("models", "cost"), scene,
                   points=("baseline",), chart="profile.svg" if scene == "own" else "") for scene in FOUR],
     *[Measurement(f"effects/{scene}", "build/pipegs effects {scene} --json", (*MODEL, "effects"), scene,
@@ -124,6 +133,10 @@ TABLE = [
     Measurement("rtl/own", "build/pipegs ladder {scene} --json", RTL, points=POINTS, chart="ladder_own.svg"),
     *[Measurement(f"rtl/terrace_{point}", f"build/pipegs sim {{scene}} --design {point} --json", RTL, "terrace",
                   points=(point,)) for point in ("fast", "dop")],
+    *[Measurement(f"rtl/{scene}_fast", "build/pipegs sim {scene} --design fast --no-truth --json", RTL, scene,
+                  points=("fast",)) for scene in SIX if scene != "terrace"],
+    Measurement("rtl/own_raster", "build/pipegs sim --design fast --no-truth --picture raster --json", RTL,
+                points=("fast",)),
     Measurement("rtl/views", "build/pipegs sim --views 0-2 --json", RTL, view=None, points=("fast",)),
     Measurement("rtl/printed", "build/pipegs sim --out build/out", RTL, points=("fast",), read=shown,
                 picture=("own_scene.png", "out/frame.png")),

@@ -65,10 +65,12 @@ SCENES = {  # scene: its file or folder in the folder of scenes
     "plushdog": "plushdog/point_cloud_29999_clean.ply",
     "flowers": "flowers/flowers",
     "showroom": "showroom/lacadiere",
+    "campsite": "campsite/campsite",
 }
 PHOTOGRAPHS = {"plush"}  # folders of photographs, beside the scenes
 CODE = {".sv", ".svh", ".c", ".h", ".cpp", ".hpp", ".def", ".py", ".sh", ".sby", ".mjs", ".json", ".csv", ".vlt"}
 IGNORED = re.compile(rb"^[ \t]*[#`]include[^\n]*|/\*.*?\*/|//[^\n]*|\s+", re.DOTALL | re.MULTILINE)
+CHECKS = re.compile(rb"^`ifndef SYNTHESIS\b.*?^`(?:else|endif)", re.DOTALL | re.MULTILINE)
 SHARP = re.compile(rb"^[ \t]*#[^\n]*|\s+", re.MULTILINE)  # of scripts and tables
 
 
@@ -131,10 +133,17 @@ def listed():
     return json.loads(MODULES.read_text()) if MODULES.exists() else {}
 
 
-def rtl_hash(modules):
+def rtl_hash(modules, hash_file=text_hash):
     """Of some modules and the package."""
     files = module_files()
-    return digest(text_hash(files[name]) for name in {"pipegs_pkg", *modules} if name in files)
+    return digest(hash_file(files[name]) for name in {"pipegs_pkg", *modules} if name in files)
+
+
+@functools.cache
+def synthesis_hash(file):
+    """Of what synthesis reads of a module: not of its checks, between `ifndef SYNTHESIS and `else or `endif."""
+    text = CHECKS.sub(b"", file.read_bytes())
+    return hashlib.sha256(IGNORED.sub(b"", text)).digest()
 
 
 @functools.cache

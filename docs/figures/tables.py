@@ -11,7 +11,7 @@ import subprocess
 import sys
 
 from data import data
-from sources import ROOT, design_points, digest, hash_of, module_files, rtl_hash
+from sources import ROOT, design_points, digest, hash_of, module_files, rtl_hash, synthesis_hash
 
 BY = "# measured_by "
 POINTS, PATHS, DEPENDS = "synth/data/points.csv", "synth/data/paths.csv", "synth/data/depends.csv"
@@ -33,7 +33,7 @@ def points():
 def point_line(configuration, blocks):
     """The line before the rows of a configuration that has these blocks."""
     lib = [name for name, file in module_files().items() if "lib" in file.parts]
-    parts = [rtl_hash({*blocks, *lib}), hash_of("synth")]
+    parts = [rtl_hash({*blocks, *lib}, synthesis_hash), hash_of("synth")]
     return f"{BY}{digest(part.encode() for part in parts)} {configuration}"
 
 

@@ -67,6 +67,7 @@ module pipegs_alpha_store #(
   pipegs_slot_pool #(.Slots(Lines)) u_pool (
     .clk_i,
     .rst_ni,
+    .renew_i(1'b0),
     .slot_valid_o(slot_valid),
     .slot_ready_i(write_i),
     .slot_o(write_slot),

@@ -30,14 +30,15 @@ module pipegs_sram_fifo #(
   logic [PtrW-1:0]   head_q, tail_q;
   logic [CountW-1:0] stored_q;      // words in the memory that were not fetched yet
   logic              out_valid_q;   // the memory's output register holds the head
-  logic [CountW-1:0] pushed;        // the same with what is pushed now; `fetch` comes late in the cycle
+  logic [CountW-1:0] more, fewer;   // push and fetch come late in the cycle
   logic              push, fetch;
 
   assign count_o     = stored_q + CountW'(out_valid_q);
   assign in_ready_o  = count_o != CountW'(Depth);
   assign out_valid_o = out_valid_q;
   assign push        = in_valid_i && in_ready_o;
-  assign pushed      = stored_q + CountW'(push);
+  assign more        = stored_q + 1'b1;
+  assign fewer       = stored_q - 1'b1;
   assign fetch       = stored_q != '0 && (!out_valid_q || out_ready_i);
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -49,7 +50,7 @@ module pipegs_sram_fifo #(
     end else begin
       if (push) tail_q <= tail_q == PtrW'(Depth - 1) ? '0 : tail_q + 1'b1;
       if (fetch) head_q <= head_q == PtrW'(Depth - 1) ? '0 : head_q + 1'b1;
-      stored_q <= fetch ? pushed - 1'b1 : pushed;
+      if (push != fetch) stored_q <= push ? more : fewer;
       if (fetch) out_valid_q <= 1'b1;
       else if (out_ready_i) out_valid_q <= 1'b0;
     end

@@ -17,8 +17,9 @@ module dopu_activity #(
 
   input  logic             moved_i,       // inside
   input  logic             memory_i,      // a line was asked for, or came
-  input  logic             news_i,        // the RUs' feedback changes something
+  input  logic             news_i,        // the RUs' feedback changes something, or planes are made again for it
   input  logic             waits_i,       // for memory
+  input  logic             origin_i,      // something is in dopu_origin, where it takes its cycles in any case
   input  logic             chunk_valid_i,  // before dopu_emit
   input  logic             last_end_i,    // the end of the last window is taken there
   input  logic [Units-1:0] out_valid_i,   // behind it
@@ -58,8 +59,8 @@ module dopu_activity #(
   );
 
   assign busy_o   = busy_q;
-  assign active_o = start_i || (busy_q && (moved_i || !asleep));
+  assign active_o = start_i || news_i || (busy_q && (moved_i || !asleep));
   assign perf_o   = moved_i ? pipegs_pkg::PerfBusy : waits_i ? pipegs_pkg::PerfMemory :
-                    blocked ? pipegs_pkg::PerfBlocked : pipegs_pkg::PerfStarved;
+                    blocked ? pipegs_pkg::PerfBlocked : origin_i ? pipegs_pkg::PerfBusy : pipegs_pkg::PerfStarved;
 
 endmodule

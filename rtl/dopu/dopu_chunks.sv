@@ -21,6 +21,7 @@ module dopu_chunks #(
   input  pipegs_pkg::span_t                    chunks_i,
   input  logic [2*5*pipegs_pkg::PlaneBits-1:0] planes_i,
   input  logic [1:0]                           set_done_i,
+  input  logic [1:0]                           set_judges_i,
 
   input  logic                                 cell_valid_i,
   output logic                                 cell_ready_o,
@@ -42,6 +43,12 @@ module dopu_chunks #(
   output pipegs_pkg::node_t                    chunk_o,
   output logic [pipegs_pkg::DepthW-1:0]        mark_o,     // of a layer's end, with watermarks
 
+  output logic                                 group_valid_o,  // of a set on trial: a group passes, ...
+  output logic [pipegs_pkg::CountW-1:0]        group_chunks_o,
+  output logic [pipegs_pkg::LoadW-1:0]         group_near_o,
+  output logic [pipegs_pkg::LoadW-1:0]         group_far_o,
+  output logic                                 counted_o,      // ... all of them have
+
   output logic [1:0]                           bad_o,      // a cell, a group: see pipegs_line_reader
   output logic [2*AddressW-1:0]                bad_line_o,
   output logic                                 testing_o,
@@ -59,6 +66,7 @@ module dopu_chunks #(
       .chunks_i,
       .planes_i,
       .set_done_i,
+      .set_judges_i,
       .cell_valid_i,
       .cell_ready_o,
       .cell_kind_i,
@@ -76,6 +84,11 @@ module dopu_chunks #(
       .chunk_set_o,
       .chunk_o,
       .mark_o,
+      .group_valid_o,
+      .group_chunks_o,
+      .group_near_o,
+      .group_far_o,
+      .counted_o,
       .bad_o,
       .bad_line_o,
       .testing_o,
@@ -113,7 +126,14 @@ module dopu_chunks #(
       .testing_o,
       .waiting_o
     );
-    assign mark_o = '0;
+    assign mark_o         = '0;
+    assign group_valid_o  = 1'b0;
+    assign group_chunks_o = '0;
+    assign group_near_o   = '0;
+    assign group_far_o    = '0;
+    assign counted_o      = 1'b0;
+    logic unused_judges;
+    assign unused_judges  = ^set_judges_i;
   end
 
 endmodule

@@ -123,6 +123,7 @@ module dopu_descend #(
     .result_node_o(result_node),
     .result_tag_o(result_tag),
     .result_nearest_o(),
+    .result_farthest_o(),
     .result_exponent_o()
   );
   assign {result_level, result_set, result_kind} = result_tag;

@@ -19,14 +19,15 @@ module dopu_origin (
   input  logic                            node_valid_i,
   output logic                            node_ready_o,
   input  logic [pipegs_pkg::KindW-1:0]    kind_i,
-  input  logic [pipegs_pkg::WindowW-1:0]  window_x_i,
-  input  logic [pipegs_pkg::WindowW-1:0]  window_y_i,
+  input  logic [pipegs_pkg::PlaceW-1:0]   place_i,  // its window and walk
   input  pipegs_pkg::node_t               node_i,
   input  logic [pipegs_pkg::DepthW-1:0]   mark_i,   // a layer end's watermark, if there are any
 
   output logic                            chunk_valid_o,
   input  logic                            chunk_ready_i,
-  output pipegs_pkg::chunk_t              chunk_o
+  output pipegs_pkg::chunk_t              chunk_o,
+
+  output logic                            active_o  // something is inside
 );
 
   localparam int unsigned WorldW = pipegs_pkg::WorldW;
@@ -34,6 +35,8 @@ module dopu_origin (
   localparam int unsigned RotF = pipegs_pkg::RotF;
   localparam int unsigned ViewW = pipegs_pkg::ViewW;
   localparam int unsigned ExpW = pipegs_pkg::ExpW;
+  localparam int unsigned PlaceW = pipegs_pkg::PlaceW;
+  localparam int unsigned BodyAt = pipegs_pkg::KindW + PlaceW;  // where in a chunk the rest begins
   localparam int unsigned DeltaW = WorldW + 1;
   localparam int unsigned LowW = DeltaW / 2;               // bits of the low half, unsigned
   localparam int unsigned HalfW = DeltaW - LowW + 1;       // either half with a sign
@@ -47,7 +50,7 @@ module dopu_origin (
   logic [3:0]                   step_q, added;
   logic                         handover;  // the sums move on to the shifts
   logic [pipegs_pkg::KindW-1:0] kind_q;
-  logic [pipegs_pkg::WindowW-1:0] window_x_q, window_y_q;
+  logic [PlaceW-1:0]            place_q;
   logic [ExpW-1:0]              offset_exp_q;
   logic [pipegs_pkg::SlotW-1:0] slot_q;
   logic [pipegs_pkg::CountW-1:0] count_q;
@@ -93,8 +96,7 @@ module dopu_origin (
   always_ff @(posedge clk_i) begin
     if (take) begin
       kind_q       <= kind_i;
-      window_x_q   <= window_x_i;
-      window_y_q   <= window_y_i;
+      place_q      <= place_i;
       offset_exp_q <= node_i.offset_exp;
       slot_q       <= node_i.first;
       count_q      <= node_i.count;
@@ -131,7 +133,8 @@ module dopu_origin (
   logic signed [OriginW-RotF:0] source_q [3];  // one bit below the unit is kept for rounding
   logic signed [OriginW-RotF:0] shifted;
   logic signed [ViewW-1:0]   rounded;
-  pipegs_pkg::chunk_t        chunk_q;
+  pipegs_pkg::chunk_t        chunk_q;  // but for its place and watermark
+  logic [PlaceW-1:0]         place_out_q;
 
   pipegs_bit_length #(.DataW(WholeW)) u_length (
     .in_i(magnitudes_q[OriginW-1:RotF]),
@@ -143,6 +146,7 @@ module dopu_origin (
   assign shifted       = source_q[0] >>> view_exp_q;
   assign rounded       = ViewW'(shifted >>> 1) + ViewW'({1'b0, shifted[0]});
   assign chunk_valid_o = shifting_q && shift_step_q == 2'd3;
+  assign active_o      = busy_q || shifting_q;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
@@ -164,8 +168,7 @@ module dopu_origin (
       view_exp_q       <= longest > LengthW'(ViewW - 2) ? ExpW'(longest - LengthW'(ViewW - 2)) : '0;
       chunk_q          <= '0;
       chunk_q.kind     <= kind_q;
-      chunk_q.window_x <= window_x_q;
-      chunk_q.window_y <= window_y_q;
+      place_out_q      <= place_q;
       if (kind_q == pipegs_pkg::KindData) begin
         chunk_q.offset_exp <= offset_exp_q;
         chunk_q.slot       <= slot_q;
@@ -181,25 +184,23 @@ module dopu_origin (
     end
   end
 
-  // A watermark passes like the end that carries it: it is the chunk's last field.
+  // The place stands behind the kind. A watermark passes like the end that carries it: it is the chunk's last field.
+  logic [pipegs_pkg::ChunkBits-1:0] beat;
+  assign beat = chunk_q;
   if (pipegs_pkg::HasWatermarks) begin : gen_mark
     localparam int unsigned DepthW = pipegs_pkg::DepthW;
-    logic [DepthW-1:0]                mark_taken_q, mark_q;
-    logic [pipegs_pkg::ChunkBits-1:0] beat;
+    logic [DepthW-1:0] mark_taken_q, mark_q;
     always_ff @(posedge clk_i) begin
       if (take) mark_taken_q <= mark_i;
       if (handover) mark_q <= mark_taken_q;
     end
-    assign beat    = chunk_q;
-    assign chunk_o = {mark_q, beat[pipegs_pkg::ChunkBits-DepthW-1:0]};
-    logic unused_beat;
-    assign unused_beat = ^beat;
+    assign chunk_o = {mark_q, beat[pipegs_pkg::ChunkBits-DepthW-1:BodyAt], place_out_q, chunk_q.kind};
   end else begin : gen_no_mark
-    assign chunk_o = chunk_q;
+    assign chunk_o = {beat[pipegs_pkg::ChunkBits-1:BodyAt], place_out_q, chunk_q.kind};
   end
 
   logic unused;  // fields and bits that do not matter here
-  assign unused = &{1'b0, node_i, mark_i, chunk_q, shifted, magnitudes_q[RotF-1:0], origin_q[0], origin_q[1],
+  assign unused = &{1'b0, node_i, mark_i, beat, shifted, magnitudes_q[RotF-1:0], origin_q[0], origin_q[1],
                   origin_q[2]};
 
 `ifndef SYNTHESIS

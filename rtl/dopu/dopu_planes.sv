@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// dopu_planes: the five planes that bound what a window can see.
+// dopu_planes: the five planes that bound what a window, or a part of it, can see.
 //
 // Paper   Sec. 4.1; windows are ours (docs/units/dopu.md).
 // Idea    A side's world-space normal is n = focal * side row - edge * forward row, edge = pixel - centre -+ 2. One
 //         multiplier makes the six products of a side one after another, then n and reach are floored to TestW bits
 //         with one unit.
-// Stream  window: column and row in. planes: near, left, right, top, bottom out, near in the low bits.
+// Stream  window: column, row and walk in, and what of it is closed. planes: near, left, right, top, bottom out, near
+//         in the low bits.
 // Pace    One window per 4 * 13 cycles, hidden behind the walk of the window before.
 // Model   cpp_model/dopu/dopu_planes.hpp
 
@@ -19,8 +20,8 @@ module dopu_planes (
 
   input  logic                                window_valid_i,
   output logic                                window_ready_o,
-  input  logic [pipegs_pkg::WindowW-1:0]      window_x_i,
-  input  logic [pipegs_pkg::WindowW-1:0]      window_y_i,
+  input  logic [pipegs_pkg::PlaceW-1:0]       window_i,
+  input  pipegs_pkg::closed_t                 closed_i,  // what of it is closed: the planes are those of the rest
 
   output logic                                planes_valid_o,
   input  logic                                planes_ready_i,
@@ -30,7 +31,9 @@ module dopu_planes (
   localparam int unsigned RotW = pipegs_pkg::RotW;
   localparam int unsigned TestW = pipegs_pkg::TestW;
   localparam int unsigned PlaneBits = pipegs_pkg::PlaneBits;
-  localparam int unsigned WindowPixelW = pipegs_pkg::WindowW + $clog2(pipegs_pkg::Window) + 1;
+  localparam int unsigned WindowW = pipegs_pkg::WindowW;
+  localparam int unsigned WindowPixelW = WindowW + $clog2(pipegs_pkg::Window) + 1;
+  localparam int unsigned HalfF = $clog2(pipegs_pkg::Window) - 1;                  // half a window's side
   localparam int unsigned EdgeW = WindowPixelW + pipegs_pkg::CenterF + 2;          // s17.12
   localparam int unsigned ProductW = EdgeW + RotW;
   localparam int unsigned Align = pipegs_pkg::FocalF - pipegs_pkg::CenterF;        // edges to focal lengths
@@ -44,7 +47,8 @@ module dopu_planes (
   logic       busy_q, done_q;
   logic [1:0] side_q;  // left, right, top, bottom
   logic [3:0] step_q;
-  logic [pipegs_pkg::WindowW-1:0] window_x_q, window_y_q;
+  logic [pipegs_pkg::PlaceW-1:0] window_q;
+  pipegs_pkg::closed_t           closed_q;
 
   assign window_ready_o = !busy_q && !done_q;
   assign planes_valid_o = done_q;
@@ -70,29 +74,41 @@ module dopu_planes (
   end
 
   always_ff @(posedge clk_i) begin
-    if (window_valid_i && window_ready_o) begin
-      window_x_q <= window_x_i;
-      window_y_q <= window_y_i;
-    end
+    if (window_valid_i && window_ready_o) {closed_q, window_q} <= {closed_i, window_i};
   end
 
   // --- the edge of this side, s17.12 -------------------------------------------------------------------------------
   logic                                  vertical, far;  // top or bottom; right or bottom
-  logic [WindowPixelW-1:0]               first_pixel, end_pixel, size, pixel;
+  logic                                  half, behind;   // one part is walked: half a side; the second one along it
+  logic [WindowW-1:0]                    window;         // column or row
+  logic [WindowPixelW-1:0]               walk_pixel, first_pixel, end_pixel, size, pixel;
+  logic [pipegs_pkg::ClosedW-1:0]        closed_low, closed_high;
   logic signed [EdgeW-1:0]               center, margin, edge_d;
   logic [pipegs_pkg::ReachW-1:0]         reach;
 
   assign vertical    = side_q[1];
   assign far         = side_q[0];
   assign size        = vertical ? WindowPixelW'(raster_i.height) : WindowPixelW'(raster_i.width);
-  assign first_pixel = (vertical ? WindowPixelW'(window_y_q) : WindowPixelW'(window_x_q)) << $clog2(pipegs_pkg::Window);
+  assign window      = vertical ? window_q[WindowW +: WindowW] : window_q[0 +: WindowW];
+  assign closed_low  = vertical ? closed_q.top : closed_q.left;
+  assign closed_high = vertical ? closed_q.bottom : closed_q.right;
+  assign walk_pixel  = WindowPixelW'({window, behind}) << HalfF;
+  assign first_pixel = walk_pixel + (WindowPixelW'(closed_low) << 3);
   // With lists the rectangle of this window to the frame's last one.
   if (pipegs_pkg::HasLists) begin : gen_frame
     logic [pipegs_pkg::WindowW-1:0] last_window;
     assign last_window = vertical ? raster_i.windows.last_y : raster_i.windows.last_x;
     assign end_pixel   = (WindowPixelW'(last_window) + 1'b1) << $clog2(pipegs_pkg::Window);
   end else begin : gen_window
-    assign end_pixel = first_pixel + WindowPixelW'(pipegs_pkg::Window);
+    assign end_pixel = walk_pixel + (half ? WindowPixelW'(pipegs_pkg::Window / 2) : WindowPixelW'(pipegs_pkg::Window))
+                       - (WindowPixelW'(closed_high) << 3);
+  end
+  if (pipegs_pkg::HasWalks) begin : gen_walk
+    assign half   = window_q[pipegs_pkg::PlaceW-1];
+    assign behind = vertical ? window_q[2*WindowW+1] : window_q[2*WindowW];
+  end else begin : gen_whole
+    assign half   = 1'b0;
+    assign behind = 1'b0;
   end
   assign pixel       = far ? (end_pixel < size ? end_pixel : size) - 1'b1 : first_pixel;
   assign center      = vertical ? EdgeW'(lens_i.center_y) : EdgeW'(lens_i.center_x);
@@ -179,8 +195,8 @@ module dopu_planes (
   end
   assign planes_o = {planes_q, near_plane};
 
-  logic unused_frame;  // fields that do not matter here
-  assign unused_frame = &{1'b0, lens_i, raster_i};
+  logic unused_frame;  // what does not matter here
+  assign unused_frame = &{1'b0, half, closed_high, lens_i, raster_i};
 
 `ifndef SYNTHESIS
   pipegs_stream_check #(.DataW($bits(planes_o)), .Proven(1)) u_check_planes (

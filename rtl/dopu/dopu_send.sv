@@ -4,9 +4,9 @@
 // Paper   None.
 // Idea    The watermark is the nearest bucket of all that can still come: chunks that wait, and what is not opened yet.
 //         A chunk is due when it lies in that bucket. A watermark is sent when it has risen and MarkChunks chunks have
-//         gone since the last one, twice as many after every eight watermarks of a window. With everything opened and
-//         no chunk left, the window ends, and the other set's turn begins. When the queue is full a chunk that finds no
-//         place goes ahead of its turn, or a nearer one that waits does.
+//         gone since the last one, twice as many after every eighth of those that a window may have. With everything
+//         opened and no chunk left, the window ends, and the other set's turn begins. When the queue is full a chunk
+//         that finds no place goes ahead of its turn, or a nearer one that waits does.
 // Stream  first: the nearest waiting chunks of both sets; pop asks for one of the set sent, popped brings it. direct: a
 //         chunk that found no place. out: chunk, LayerEnd with its watermark, WindowEnd.
 // Pace    One chunk in five cycles.
@@ -51,7 +51,7 @@ module dopu_send #(
 
   localparam int unsigned MarkChunks = pipegs_pkg::MarkChunks;
   localparam int unsigned MarksW = $clog2(pipegs_pkg::WindowMarks + 1);
-  localparam int unsigned SinceW = $clog2(MarkChunks + 1) + pipegs_pkg::WindowMarks / 8;
+  localparam int unsigned SinceW = $clog2(MarkChunks + 1) + 7;
 
   logic                         set_q, popping_q, valid_q, chunk_set_q;
   logic                         shown_q;  // the output was shown and not taken: it stays, even if its window is done
@@ -66,7 +66,7 @@ module dopu_send #(
   logic               risen;      // all that can still come lies behind the last watermark
   logic [BucketW-1:0] first, lowest, bucket;
   logic [StepW-1:0]   step;
-  logic [SinceW-1:0]  apart;  // chunks between watermarks: twice as many after every eight of them
+  logic [SinceW-1:0]  apart;  // chunks between watermarks: doubled up to seven times
 
   assign done      = set_done_i[set_q];
   assign has_first = first_valid_i[set_q];
@@ -88,7 +88,7 @@ module dopu_send #(
     if (has_first && first < lowest) lowest = first;
   end
   assign end_due   = idle && opened_i && !has_first;
-  assign apart     = SinceW'(MarkChunks) << marks_q[MarksW-1:3];
+  assign apart     = SinceW'(MarkChunks) << marks_q[MarksW-1:MarksW-3];
   assign mark_due  = idle && !done && !end_due && since_q >= apart && risen &&
                      marks_q != MarksW'(pipegs_pkg::WindowMarks);
   // What waits behind a full queue lets the nearest chunk go early when that one is nearer.

@@ -5,10 +5,11 @@
 // Idea    The corner of the box farthest along a plane's normal decides: three products, one more for reach * scale.
 //         Corners, scale and near distance share one block exponent; what flooring takes away is given back as a
 //         constant Slack. The box is that of the means or, with TightBoxes, that of the ellipsoids (dopu_hull).
-// Stream  node: a node, the set of planes to use (stable while the node is inside), a tag. result: node, tag, pass; it
-//         has no ready: the caller asks only for what it can take.
+// Stream  node: a node, the set of planes to use (each side plane may become a tighter one while the node is inside), a
+//         tag. result: node, tag, pass; it has no ready: the caller asks only for what it can take.
 //         nearest (with watermarks, else 0): in units of 2^(exponent - 18) world units no Gaussian of the node is
-//         nearer: there the nearest corner takes the place beside the fifth plane.
+//         nearer: there the nearest corner takes the place beside the fifth plane. farthest (where windows have walks,
+//         else 0), likewise: about where the node ends, what the near plane's test says of the box that counts.
 // Pace    One node in three cycles (two planes per cycle, eight TestW-bit multipliers), result 14 cycles later. A node
 //         is taken in every third cycle; Phase shifts which. While the DOPU sleeps the phase
 //         stands, whether its clock does or not.
@@ -41,6 +42,7 @@ module dopu_test #(
   output pipegs_pkg::node_t                     result_node_o,
   output logic [TagW-1:0]                       result_tag_o,
   output logic signed [DistanceW-1:0]            result_nearest_o,
+  output logic signed [DistanceW-1:0]            result_farthest_o,
   output logic [pipegs_pkg::ExpW-1:0]           result_exponent_o
 );
 
@@ -200,7 +202,7 @@ module dopu_test #(
   pipegs_pkg::plane_t         plane_a, plane_b;
   logic signed [TestW-1:0]    operand_a;
   logic signed [ProductW-1:0] ax_q, ay_q, az_q, ar_q, bx_q, by_q, bz_q, br_q;
-  logic signed [SumW-1:0]     sum_a, sum_b;
+  logic signed [SumW-1:0]     corner_a, sum_a, sum_b;
   logic                       outside, outside_q;
 
   // Which pair stands here, and of which set, from registers of its own: the choice leads into the multipliers.
@@ -300,7 +302,8 @@ module dopu_test #(
     br_q <= nearest ? '0 : ProductW'(plane_b.reach) * ProductW'(scale_q);
   end
 
-  assign sum_a   = SumW'(ax_q) + SumW'(ay_q) + SumW'(az_q) + SumW'(ar_q) + Slack;
+  assign corner_a = SumW'(ax_q) + SumW'(ay_q) + SumW'(az_q) + Slack;
+  assign sum_a   = corner_a + SumW'(ar_q);
   assign sum_b   = SumW'(bx_q) + SumW'(by_q) + SumW'(bz_q) + SumW'(br_q) + Slack;
   assign outside = sum_a[SumW-1] || (sum_b[SumW-1] && !(Ranks && phase_q == 2'd1));
   always_ff @(posedge clk_i) outside_q <= phase_q == 2'd2 ? outside : outside_q || outside;
@@ -334,6 +337,14 @@ module dopu_test #(
   end else begin : gen_no_nearest
     assign result_nearest_o  = '0;
     assign result_exponent_o = '0;
+  end
+
+  if (pipegs_pkg::HasWalks) begin : gen_farthest
+    logic signed [SumW-1:0] corner_q;
+    always_ff @(posedge clk_i) if (last_phase) corner_q <= corner_a;
+    assign result_farthest_o = corner_q;
+  end else begin : gen_no_farthest
+    assign result_farthest_o = '0;
   end
 
   logic unused;  // fields that do not matter here

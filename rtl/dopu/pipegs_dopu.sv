@@ -2,10 +2,10 @@
 // pipegs_dopu: Dynamic Orthogonal Partitioning Unit: walks the scene by windows and layers and feeds the PUs.
 //
 // Paper   Sec. 3.2, Sec. 4.1, Fig. 7.
-// Idea    dopu_axis and dopu_layer find the order of the slabs, dopu_windows the planes of each window, dopu_cells
-//         walks the cells, dopu_chunks finds their chunks that can touch the window, dopu_origin brings these into view
-//         space, dopu_emit deals them out. Each works ahead of the next; the walk of a window begins while the one
-//         before ends. Only wiring here.
+// Idea    dopu_axis and dopu_layer find the order of the slabs, dopu_windows the planes of each window or, where
+//         dopu_load finds too much in it, of each of its parts, dopu_cells walks the cells, dopu_chunks finds their
+//         chunks that can touch the window, dopu_origin brings these into view space, dopu_emit deals them out. Each
+//         works ahead of the next; the walk of a window begins while the one before ends. Only wiring here.
 // Stream  start_i with a constant frame_i; memory reads; chunk_o with one valid per PU. done_*: what the RUs have
 //         finished. bad_o: the scene names what its tables do not hold; it stays, and the unit stops.
 // Pace    One node test in three cycles; a chunk in ten.
@@ -34,6 +34,7 @@ module pipegs_dopu (
   input  logic [pipegs_pkg::Units*pipegs_pkg::Regions-1:0] done_i,    // of unit u: Regions bits from u * Regions on
   input  logic [pipegs_pkg::Units*pipegs_pkg::WindowW-1:0] done_x_i,
   input  logic [pipegs_pkg::Units*pipegs_pkg::WindowW-1:0] done_y_i,
+  input  pipegs_pkg::open_t                                open_i,    // the same as a rectangle
 
   output logic [pipegs_pkg::Units-1:0]                     chunk_valid_o,
   input  logic [pipegs_pkg::Units-1:0]                     chunk_ready_i,
@@ -44,7 +45,7 @@ module pipegs_dopu (
   localparam int unsigned AddressW = pipegs_pkg::AddressW;
   localparam int unsigned BurstW   = pipegs_pkg::BurstW;
   localparam int unsigned KindW    = pipegs_pkg::KindW;
-  localparam int unsigned WindowW  = pipegs_pkg::WindowW;
+  localparam int unsigned PlaceW   = pipegs_pkg::PlaceW;
   localparam int unsigned GridW    = pipegs_pkg::Grid > 1 ? $clog2(pipegs_pkg::Grid) : 1;
 
   // --- the order of the slabs ---------------------------------------------------------------------------------------
@@ -76,10 +77,12 @@ module pipegs_dopu (
   );
 
   // --- windows and their planes: two sets, one ahead ----------------------------------------------------------------
-  logic [1:0]           set_valid, set_last, set_done;
-  logic [2*WindowW-1:0] set_x, set_y;
+  logic [1:0]           set_valid, set_last, set_done, set_ends, set_judges, set_given;
+  logic [2*PlaceW-1:0]  set_place;
   logic [2*5*pipegs_pkg::PlaneBits-1:0] planes;
-  logic                 window_walked, window_sent, done_news;
+  logic                 window_walked, window_sent, done_news, judges, group_valid, counted, judged, parts;
+  logic [pipegs_pkg::CountW-1:0] group_chunks;
+  logic [pipegs_pkg::LoadW-1:0]  group_near, group_far;
 
   dopu_windows u_windows (
     .clk_i,
@@ -91,16 +94,44 @@ module pipegs_dopu (
     .done_i,
     .done_x_i,
     .done_y_i,
+    .open_i,
     .set_valid_o(set_valid),
     .set_last_o(set_last),
     .set_done_o(set_done),
     .done_news_o(done_news),
-    .set_x_o(set_x),
-    .set_y_o(set_y),
+    .set_ends_o(set_ends),
+    .set_place_o(set_place),
     .planes_o(planes),
     .walked_i(window_walked),
-    .release_i(window_sent)
+    .release_i(window_sent),
+    .judges_i(judges),
+    .set_judges_o(set_judges),
+    .judged_i(judged),
+    .parts_i(parts),
+    .set_given_o(set_given)
   );
+
+  if (pipegs_pkg::HasWalks) begin : gen_load
+    dopu_load u_load (
+      .clk_i,
+      .rst_ni,
+      .most_i(frame_i.walk_most),
+      .judges_o(judges),
+      .group_valid_i(group_valid),
+      .group_chunks_i(group_chunks),
+      .group_near_i(group_near),
+      .group_far_i(group_far),
+      .counted_i(counted),
+      .judged_o(judged),
+      .parts_o(parts)
+    );
+  end else begin : gen_no_load
+    assign judges = 1'b0;
+    assign judged = 1'b0;
+    assign parts  = 1'b0;
+    logic unused_load;
+    assign unused_load = &{1'b0, group_valid, group_chunks, group_near, group_far, counted};
+  end
 
   // --- cells --------------------------------------------------------------------------------------------------------
   logic [2:0]            request, ready, answer;  // of memory: chunks, groups, cells
@@ -160,6 +191,7 @@ module pipegs_dopu (
     .chunks_i({areas_i.chunks, frame_i.tables.chunks}),
     .planes_i(planes),
     .set_done_i(set_done),
+    .set_judges_i(set_judges),
     .cell_valid_i(cell_valid),
     .cell_ready_o(cell_ready),
     .cell_kind_i(cell_kind),
@@ -177,6 +209,11 @@ module pipegs_dopu (
     .chunk_set_o(node_set),
     .chunk_o(node),
     .mark_o(node_mark),
+    .group_valid_o(group_valid),
+    .group_chunks_o(group_chunks),
+    .group_near_o(group_near),
+    .group_far_o(group_far),
+    .counted_o(counted),
     .bad_o(nodes_bad),
     .bad_line_o(nodes_line),
     .testing_o(testing),
@@ -207,7 +244,8 @@ module pipegs_dopu (
   );
 
   // --- chunks -> PUs ------------------------------------------------------------------------------------------------
-  logic               chunk_valid, chunk_ready, last_end;
+  logic               chunk_valid, chunk_ready, last_end, walk_end, part_end;
+  logic               given_up, to_origin, origin_ready, origin_active;
   pipegs_pkg::chunk_t chunk;
 
   dopu_origin u_origin (
@@ -215,19 +253,24 @@ module pipegs_dopu (
     .rst_ni,
     .position_i(frame_i.camera.position),
     .rotation_i(frame_i.camera.rotation),
-    .node_valid_i(node_valid),
-    .node_ready_o(node_ready),
-    .kind_i(node_kind),
-    .window_x_i(node_set ? set_x[2*WindowW-1:WindowW] : set_x[WindowW-1:0]),
-    .window_y_i(node_set ? set_y[2*WindowW-1:WindowW] : set_y[WindowW-1:0]),
+    .node_valid_i(to_origin),
+    .node_ready_o(origin_ready),
+    .kind_i(part_end ? pipegs_pkg::KindPartEnd : node_kind),
+    .place_i(node_set ? set_place[2*PlaceW-1:PlaceW] : set_place[PlaceW-1:0]),
     .node_i(node),
     .mark_i(node_mark),
     .chunk_valid_o(chunk_valid),
     .chunk_ready_i(chunk_ready),
-    .chunk_o(chunk)
+    .chunk_o(chunk),
+    .active_o(origin_active)
   );
-  // Nothing of the window needs its planes any more once its end has left the test.
-  assign window_sent = node_valid && node_ready && node_kind == pipegs_pkg::KindWindowEnd;
+  // Nothing of the walk needs its planes any more once its end has left the test.
+  assign walk_end    = node_kind == pipegs_pkg::KindWindowEnd;
+  assign part_end    = walk_end && !set_ends[node_set];
+  assign given_up    = walk_end && set_given[node_set];  // nobody needs to know
+  assign to_origin   = node_valid && !given_up;
+  assign node_ready  = origin_ready || given_up;
+  assign window_sent = node_valid && node_ready && walk_end;
   assign last_end    = chunk_valid && chunk_ready && chunk.kind == pipegs_pkg::KindWindowEnd
                        && (pipegs_pkg::HasLists || (chunk.window_x == frame_i.raster.windows.last_x &&
                            chunk.window_y == frame_i.raster.windows.last_y));
@@ -253,6 +296,7 @@ module pipegs_dopu (
     .memory_i(rsp_valid_i || (mem_valid_o && mem_ready_i)),
     .news_i(done_news),
     .waits_i(waiting || loading),
+    .origin_i(origin_active),
     .chunk_valid_i(chunk_valid),
     .last_end_i(last_end),
     .out_valid_i(chunk_valid_o),
@@ -267,5 +311,15 @@ module pipegs_dopu (
 
   logic unused_areas;  // what others read
   assign unused_areas = &{1'b0, areas_i};
+
+`ifndef SYNTHESIS
+  pipegs_stream_check #(.DataW($bits({node_kind, node_set, node}))) u_check_node (
+    .clk_i,
+    .rst_ni,
+    .valid_i(to_origin),
+    .ready_i(origin_ready),
+    .beat_i({node_kind, node_set, node})
+  );
+`endif
 
 endmodule

@@ -2,11 +2,11 @@
 // pipegs_pu: one Preprocessing Unit: Gaussians of a window in, sorted-to-be splats and their lines of alphas out.
 //
 // Paper   Fig. 7 (PU), Sec. 4.2.1, Eq. 3, Table 2 (eight Row Units).
-// Idea    front (fetch and cull) -> (pu_deal, shared by all PUs) -> queue -> shape (the projection, eight stages) ->
+// Idea    front (fetch and cull) -> (pu_deal, shared by all PUs) -> queue -> shape (the projection, stage by stage) ->
 //         back (regions, colour, alphas). Wiring, and the clock that stops when nothing moves. PuFronts of the PUs have
 //         a front; the others take what pu_deal gives them, and the ends.
 // Stream  chunk in; splat out; lines to the lane's alpha store; three ports to external memory.
-// Pace    One Gaussian per cycle into the cull, one per eight cycles behind it.
+// Pace    One Gaussian per cycle into the cull, one per Pace cycles, 8 or 4, behind it.
 // Model   preprocess() in cpp_model/golden.cpp
 
 module pipegs_pu #(
@@ -25,6 +25,7 @@ module pipegs_pu #(
   input  pipegs_pkg::tables_t                  tables_i,
   input  pipegs_pkg::areas_t                   areas_i,     // their sizes
   input  pipegs_pkg::windows_t                 windows_i,
+  input  pipegs_pkg::open_t                    open_i,      // what is still open
   input  logic [pipegs_pkg::UnitW-1:0]         unit_i,      // constant
   input  logic                                 restart_i,   // a frame begins; the PU is empty
 
@@ -126,6 +127,7 @@ module pipegs_pu #(
       .rotation_i,
       .lens_i,
       .windows_i,
+      .open_i,
       .gaussians_i({areas_i.gaussians, tables_i.gaussians}),
       .chunk_valid_i(chunk_valid),
       .chunk_ready_o(chunk_ready),
@@ -163,8 +165,8 @@ module pipegs_pu #(
     assign fetch_waiting      = 1'b0;
     assign culls              = 1'b0;
     assign front_idle         = 1'b1;
-    assign unused_front       = &{1'b0, chunk_i, chunk_valid, lens_i, windows_i, tables_i.gaussians, geometry_ready_i,
-                                  geometry_rsp_valid_i, culled_ready_i};
+    assign unused_front       = &{1'b0, chunk_i, chunk_valid, lens_i, windows_i, open_i, tables_i.gaussians,
+                                  geometry_ready_i, geometry_rsp_valid_i, culled_ready_i};
   end
 
   pipegs_sram_fifo #(.DataW(pipegs_pkg::VisibleBits), .Depth(VisibleDepth)) u_visible (

@@ -7,7 +7,7 @@
 //         and has the colour, and pu_fill or pu_record behind it make list entries. Only wiring here.
 // Stream  conic in; its payload in, earlier, not refused; splat out; lines to an alpha store; a port to external
 //         memory for SH coefficients, one for lines that found no room. What a machine does not have is 0.
-// Pace    One Gaussian per eight cycles, or per region of its box.
+// Pace    One Gaussian per Pace cycles, 8 or 4, or per region of its box.
 // Model   golden_window, golden_lists in cpp_model/golden.cpp
 
 module pu_back #(

@@ -3,8 +3,9 @@
 //
 // Paper   Sec. 4.2: the paper's windows have one part.
 // Idea    The box mean +- extent as columns and rows of parts; a Gaussian without any is dropped. The parts are walked
-//         row by row, the mean moved to the first pixel of each by a subtraction and saturated as pu_project does it in
-//         a window of that size. The payload waits in a queue and goes along with each part.
+//         row by row, where one is walked only this one, the mean moved to the first pixel of each by a subtraction and
+//         saturated as pu_project does it in a window of that size. The payload waits in a queue and goes along with
+//         each part.
 // Stream  payload in, one for each Gaussian, in order, not refused; its conic in; one conic beat per part out, and one
 //         cycle before it the payload with the part. Ends pass.
 // Pace    One part per cycle, and one cycle between Gaussians.
@@ -56,8 +57,9 @@ module pu_parts (
   );
 
   // --- the box -------------------------------------------------------------------------------------------------------
-  logic [AxisW-1:0] first_x, last_x, first_y, last_y;
-  logic             none_x, none_y;
+  logic [AxisW-1:0] first_x, last_x, first_y, last_y, begin_x, end_x, begin_y, end_y;  // begin: of those walked
+  logic             none_x, none_y, one_part;
+  logic [AxisW-1:0] one_x, one_y;  // that is walked
   pu_span #(.SideF(SideF), .IndexW(AxisW)) u_columns (
     .mean_i(conic_i.mean_x),
     .extent_i(conic_i.extent_x),
@@ -76,21 +78,31 @@ module pu_parts (
   );
 
   // --- the walk: the conic stays at the input until its last part ----------------------------------------------------
-  logic             walking_q, data, none, start, step, pass, last_column, last, out_free, out_valid_q;
+  logic             walking_q, data, none, none_q, start, step, pass, last_column, last, out_free, out_valid_q;
   logic [AxisW-1:0] column_q, row_q, from_x_q, to_x_q, to_y_q;
 
   assign data        = conic_i.kind == pipegs_pkg::KindData;
-  assign none        = none_x || none_y;
+  assign none        = none_x || none_y || (one_part && (one_x < first_x || one_x > last_x ||
+                                                         one_y < first_y || one_y > last_y));
+  assign begin_x     = one_part ? one_x : first_x;
+  assign begin_y     = one_part ? one_y : first_y;
+  assign end_x       = one_part ? one_x : last_x;
+  assign end_y       = one_part ? one_y : last_y;
+  if (pipegs_pkg::HasWalks) begin : gen_walk
+    assign {one_part, one_y, one_x} = payload.walk;
+  end else begin : gen_whole
+    assign {one_part, one_y, one_x} = '0;
+  end
   assign out_free    = !out_valid_q || placed_ready_i;
   assign start       = !walking_q && conic_valid_i && data;
   assign pass        = !walking_q && conic_valid_i && !data && out_free;
-  assign step        = walking_q && out_free;
+  assign step        = walking_q && !none_q && out_free;
   assign last_column = column_q == to_x_q;
   assign last        = step && last_column && row_q == to_y_q;
 
-  assign conic_ready_o = last || pass || (start && none);
+  assign conic_ready_o = last || pass || (walking_q && none_q);
   assign payload_take  = conic_ready_o && data;
-  assign moved_o       = start || step || pass;
+  assign moved_o       = start || step || conic_ready_o;
   assign busy_o        = walking_q || out_valid_q;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -98,15 +110,16 @@ module pu_parts (
       walking_q   <= 1'b0;
       out_valid_q <= 1'b0;
     end else begin
-      if (start && !none) walking_q <= 1'b1;
-      else if (last) walking_q <= 1'b0;
+      if (start) walking_q <= 1'b1;
+      else if (conic_ready_o) walking_q <= 1'b0;
       if (out_free) out_valid_q <= step || pass;
     end
   end
   always_ff @(posedge clk_i) begin
     if (start) begin
-      {from_x_q, to_x_q, to_y_q} <= {first_x, last_x, last_y};
-      {column_q, row_q}          <= {first_x, first_y};
+      none_q                     <= none;
+      {from_x_q, to_x_q, to_y_q} <= {begin_x, end_x, end_y};
+      {column_q, row_q}          <= {begin_x, begin_y};
     end else if (step) begin
       column_q <= last_column ? from_x_q : column_q + 1'b1;
       if (last_column) row_q <= row_q + 1'b1;

@@ -4,11 +4,11 @@
 //
 // Paper   Eq. 3, and the tile test of Sec. 4.2.
 // Idea    coeff -> queue -> intersect. The queue evens out pu_intersect, which takes 2 to 64 cycles where the others
-//         take 8. The payload comes from where it is known, before the conic does. It waits in a queue until
+//         take 8 or 4. The payload comes from where it is known, before the conic does. It waits in a queue until
 //         pu_intersect takes or drops its Gaussian, then in pu_payload until the regions are known. Only wiring here.
 // Stream  conic in; payload in, one for each Gaussian, in order, not refused; tiles out and beside them their payload,
 //         zero beside an end. Gaussians without a region vanish, ends pass.
-// Pace    One Gaussian per eight cycles, or per region of its box.
+// Pace    One Gaussian per Pace cycles, 8 or 4, or per region of its box.
 // Model   intersect() in cpp_model/golden.cpp
 
 module pu_regions #(
@@ -47,17 +47,31 @@ module pu_regions #(
   assign busy_o    = coeff_busy || walk_count != '0 || intersect_busy;
   assign payload_o = tiles_o.kind == pipegs_pkg::KindData ? payload : '0;
 
-  pu_coeff u_coeff (
-    .clk_i,
-    .rst_ni,
-    .conic_valid_i,
-    .conic_ready_o,
-    .conic_i,
-    .coeff_valid_o(coeff_valid),
-    .coeff_ready_i(coeff_ready),
-    .coeff_o(coeff),
-    .busy_o(coeff_busy)
-  );
+  if (pipegs_pkg::Pace == 4) begin : gen_four_coeff
+    pu_four_coeff u_coeff (
+      .clk_i,
+      .rst_ni,
+      .conic_valid_i,
+      .conic_ready_o,
+      .conic_i,
+      .coeff_valid_o(coeff_valid),
+      .coeff_ready_i(coeff_ready),
+      .coeff_o(coeff),
+      .busy_o(coeff_busy)
+    );
+  end else begin : gen_coeff
+    pu_coeff u_coeff (
+      .clk_i,
+      .rst_ni,
+      .conic_valid_i,
+      .conic_ready_o,
+      .conic_i,
+      .coeff_valid_o(coeff_valid),
+      .coeff_ready_i(coeff_ready),
+      .coeff_o(coeff),
+      .busy_o(coeff_busy)
+    );
+  end
 
   pipegs_sram_fifo #(.DataW(pipegs_pkg::CoeffBits), .Depth(WalkDepth)) u_walks (
     .clk_i,

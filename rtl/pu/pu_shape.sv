@@ -9,7 +9,7 @@
 //         direction, base colour, index, slot) leaves at once. Only wiring here.
 // Stream  visible in, conic out, in order; ends pass. payload: one for each Gaussian, in order, before its conic; not
 //         refused.
-// Pace    One Gaussian per eight cycles; per 14 with the oriented box and without compensate.
+// Pace    One Gaussian per Pace cycles, 8 or 4; per 14 with the oriented box and without compensate.
 // Model   golden_conic in cpp_model/golden.cpp
 
 module pu_shape (
@@ -66,22 +66,41 @@ module pu_shape (
   assign moved_o       = |(valid & ready);
   assign busy_o        = |busy;
 
-  pu_project u_project (
-    .clk_i,
-    .rst_ni,
-    .lens_i,
-    .visible_valid_i,
-    .visible_ready_o,
-    .visible_i,
-    .projected_valid_o(valid[Project]),
-    .projected_ready_i(ready[Project]),
-    .projected_o(projected),
-    .center_valid_o(center_valid),
-    .center_o(center_in),
-    .payload_valid_o,
-    .payload_o,
-    .busy_o(busy[Project])
-  );
+  if (pipegs_pkg::Pace == 4) begin : gen_four_project
+    pu_four_project u_project (
+      .clk_i,
+      .rst_ni,
+      .lens_i,
+      .visible_valid_i,
+      .visible_ready_o,
+      .visible_i,
+      .projected_valid_o(valid[Project]),
+      .projected_ready_i(ready[Project]),
+      .projected_o(projected),
+      .center_valid_o(center_valid),
+      .center_o(center_in),
+      .payload_valid_o,
+      .payload_o,
+      .busy_o(busy[Project])
+    );
+  end else begin : gen_project
+    pu_project u_project (
+      .clk_i,
+      .rst_ni,
+      .lens_i,
+      .visible_valid_i,
+      .visible_ready_o,
+      .visible_i,
+      .projected_valid_o(valid[Project]),
+      .projected_ready_i(ready[Project]),
+      .projected_o(projected),
+      .center_valid_o(center_valid),
+      .center_o(center_in),
+      .payload_valid_o,
+      .payload_o,
+      .busy_o(busy[Project])
+    );
+  end
 
   pipegs_sram_fifo #(.DataW(pipegs_pkg::CenterBits), .Depth(CenterDepth)) u_centers (
     .clk_i,
@@ -95,70 +114,145 @@ module pu_shape (
     .count_o(center_count)
   );
 
-  pu_orient u_orient (
-    .clk_i,
-    .rst_ni,
-    .quaternion_i,
-    .projected_valid_i(valid[Project]),
-    .projected_ready_o(ready[Project]),
-    .projected_i(projected),
-    .oriented_valid_o(valid[Orient]),
-    .oriented_ready_i(ready[Orient]),
-    .oriented_o(oriented),
-    .busy_o(busy[Orient])
-  );
+  if (pipegs_pkg::Pace == 4) begin : gen_four_orient
+    pu_four_orient u_orient (
+      .clk_i,
+      .rst_ni,
+      .quaternion_i,
+      .projected_valid_i(valid[Project]),
+      .projected_ready_o(ready[Project]),
+      .projected_i(projected),
+      .oriented_valid_o(valid[Orient]),
+      .oriented_ready_i(ready[Orient]),
+      .oriented_o(oriented),
+      .busy_o(busy[Orient])
+    );
+  end else begin : gen_orient
+    pu_orient u_orient (
+      .clk_i,
+      .rst_ni,
+      .quaternion_i,
+      .projected_valid_i(valid[Project]),
+      .projected_ready_o(ready[Project]),
+      .projected_i(projected),
+      .oriented_valid_o(valid[Orient]),
+      .oriented_ready_i(ready[Orient]),
+      .oriented_o(oriented),
+      .busy_o(busy[Orient])
+    );
+  end
 
-  pu_jacobian u_jacobian (
-    .clk_i,
-    .rst_ni,
-    .focal_x_i(lens_i.focal_x),
-    .focal_y_i(lens_i.focal_y),
-    .oriented_valid_i(valid[Orient]),
-    .oriented_ready_o(ready[Orient]),
-    .oriented_i(oriented),
-    .jacobian_valid_o(valid[Jacobian]),
-    .jacobian_ready_i(ready[Jacobian]),
-    .jacobian_o(jacobian),
-    .busy_o(busy[Jacobian])
-  );
+  if (pipegs_pkg::Pace == 4) begin : gen_four_jacobian
+    pu_four_jacobian u_jacobian (
+      .clk_i,
+      .rst_ni,
+      .focal_x_i(lens_i.focal_x),
+      .focal_y_i(lens_i.focal_y),
+      .oriented_valid_i(valid[Orient]),
+      .oriented_ready_o(ready[Orient]),
+      .oriented_i(oriented),
+      .jacobian_valid_o(valid[Jacobian]),
+      .jacobian_ready_i(ready[Jacobian]),
+      .jacobian_o(jacobian),
+      .busy_o(busy[Jacobian])
+    );
+  end else begin : gen_jacobian
+    pu_jacobian u_jacobian (
+      .clk_i,
+      .rst_ni,
+      .focal_x_i(lens_i.focal_x),
+      .focal_y_i(lens_i.focal_y),
+      .oriented_valid_i(valid[Orient]),
+      .oriented_ready_o(ready[Orient]),
+      .oriented_i(oriented),
+      .jacobian_valid_o(valid[Jacobian]),
+      .jacobian_ready_i(ready[Jacobian]),
+      .jacobian_o(jacobian),
+      .busy_o(busy[Jacobian])
+    );
+  end
 
-  pu_factors u_factors (
-    .clk_i,
-    .rst_ni,
-    .jacobian_valid_i(valid[Jacobian]),
-    .jacobian_ready_o(ready[Jacobian]),
-    .jacobian_i(jacobian),
-    .factors_valid_o(valid[Factors]),
-    .factors_ready_i(ready[Factors]),
-    .factors_o(factors),
-    .busy_o(busy[Factors])
-  );
+  if (pipegs_pkg::Pace == 4) begin : gen_four_factors
+    pu_four_factors u_factors (
+      .clk_i,
+      .rst_ni,
+      .jacobian_valid_i(valid[Jacobian]),
+      .jacobian_ready_o(ready[Jacobian]),
+      .jacobian_i(jacobian),
+      .factors_valid_o(valid[Factors]),
+      .factors_ready_i(ready[Factors]),
+      .factors_o(factors),
+      .busy_o(busy[Factors])
+    );
+  end else begin : gen_factors
+    pu_factors u_factors (
+      .clk_i,
+      .rst_ni,
+      .jacobian_valid_i(valid[Jacobian]),
+      .jacobian_ready_o(ready[Jacobian]),
+      .jacobian_i(jacobian),
+      .factors_valid_o(valid[Factors]),
+      .factors_ready_i(ready[Factors]),
+      .factors_o(factors),
+      .busy_o(busy[Factors])
+    );
+  end
 
-  pu_squares u_squares (
-    .clk_i,
-    .rst_ni,
-    .factors_valid_i(valid[Factors]),
-    .factors_ready_o(ready[Factors]),
-    .factors_i(factors),
-    .squares_valid_o(valid[Squares]),
-    .squares_ready_i(ready[Squares]),
-    .squares_o(squares),
-    .busy_o(busy[Squares])
-  );
+  if (pipegs_pkg::Pace == 4) begin : gen_four_squares
+    pu_four_squares u_squares (
+      .clk_i,
+      .rst_ni,
+      .factors_valid_i(valid[Factors]),
+      .factors_ready_o(ready[Factors]),
+      .factors_i(factors),
+      .squares_valid_o(valid[Squares]),
+      .squares_ready_i(ready[Squares]),
+      .squares_o(squares),
+      .busy_o(busy[Squares])
+    );
+  end else begin : gen_squares
+    pu_squares u_squares (
+      .clk_i,
+      .rst_ni,
+      .factors_valid_i(valid[Factors]),
+      .factors_ready_o(ready[Factors]),
+      .factors_i(factors),
+      .squares_valid_o(valid[Squares]),
+      .squares_ready_i(ready[Squares]),
+      .squares_o(squares),
+      .busy_o(busy[Squares])
+    );
+  end
 
-  pu_covariance u_covariance (
-    .clk_i,
-    .rst_ni,
-    .squares_valid_i(valid[Squares]),
-    .squares_ready_o(ready[Squares]),
-    .squares_i(squares),
-    .center_i(center),
-    .center_take_o(center_take),
-    .covariance_valid_o(valid[Covariance]),
-    .covariance_ready_i(ready[Covariance]),
-    .covariance_o(covariance),
-    .busy_o(busy[Covariance])
-  );
+  if (pipegs_pkg::Pace == 4) begin : gen_four_covariance
+    pu_four_covariance u_covariance (
+      .clk_i,
+      .rst_ni,
+      .squares_valid_i(valid[Squares]),
+      .squares_ready_o(ready[Squares]),
+      .squares_i(squares),
+      .center_i(center),
+      .center_take_o(center_take),
+      .covariance_valid_o(valid[Covariance]),
+      .covariance_ready_i(ready[Covariance]),
+      .covariance_o(covariance),
+      .busy_o(busy[Covariance])
+    );
+  end else begin : gen_covariance
+    pu_covariance u_covariance (
+      .clk_i,
+      .rst_ni,
+      .squares_valid_i(valid[Squares]),
+      .squares_ready_o(ready[Squares]),
+      .squares_i(squares),
+      .center_i(center),
+      .center_take_o(center_take),
+      .covariance_valid_o(valid[Covariance]),
+      .covariance_ready_i(ready[Covariance]),
+      .covariance_o(covariance),
+      .busy_o(busy[Covariance])
+    );
+  end
 
   if (pipegs_pkg::Oriented) begin : gen_oriented
     pipegs_pkg::axes_t axes;
@@ -212,17 +306,31 @@ module pu_shape (
     assign busy[Compensate]  = 1'b0;
   end
 
-  pu_conic u_conic (
-    .clk_i,
-    .rst_ni,
-    .covariance_valid_i(valid[Compensate]),
-    .covariance_ready_o(ready[Compensate]),
-    .covariance_i(compensated),
-    .conic_valid_o(valid[Conic]),
-    .conic_ready_i(ready[Conic]),
-    .conic_o,
-    .busy_o(busy[Conic])
-  );
+  if (pipegs_pkg::Pace == 4) begin : gen_four_conic
+    pu_four_conic u_conic (
+      .clk_i,
+      .rst_ni,
+      .covariance_valid_i(valid[Compensate]),
+      .covariance_ready_o(ready[Compensate]),
+      .covariance_i(compensated),
+      .conic_valid_o(valid[Conic]),
+      .conic_ready_i(ready[Conic]),
+      .conic_o,
+      .busy_o(busy[Conic])
+    );
+  end else begin : gen_conic
+    pu_conic u_conic (
+      .clk_i,
+      .rst_ni,
+      .covariance_valid_i(valid[Compensate]),
+      .covariance_ready_o(ready[Compensate]),
+      .covariance_i(compensated),
+      .conic_valid_o(valid[Conic]),
+      .conic_ready_i(ready[Conic]),
+      .conic_o,
+      .busy_o(busy[Conic])
+    );
+  end
 
   logic unused;  // of the tables only the flag, with Antialias
   assign unused = &{1'b0, tables_i, center_room, center_held, center_count};

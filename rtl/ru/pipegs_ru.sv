@@ -5,7 +5,7 @@
 // Idea    queue -> blending and its pixel buffer: ru_whole -> ru_resolve, or with Quads ru_live. ru_window knows where
 //         in the frame the RU is; ru_join brings its rows together with those of the RU that shares their lines, in
 //         raster order; ru_memory joins alpha reads and pixel writes. Only wiring here.
-// Stream  sorted_t in; alpha stores and external memory beside it; done feedback to the PUs.
+// Stream  sorted_t in; alpha stores and external memory beside it; done feedback to the DOPU and the PUs.
 // Pace    Four cycles per region, or one per live quad of each group; pixels are written meanwhile.
 // Model   cpp_model/ru/ru.hpp
 
@@ -83,33 +83,55 @@ module pipegs_ru #(
   localparam int unsigned Words    = Regions / Units * 4;
   localparam int unsigned AddrW    = $clog2(Words);
 
+  // --- the queue: of a splat's mask one bit of Units, which this RU owns, where nobody counts the others -------------
+  localparam int unsigned MaskW  = pipegs_pkg::MaskW;
+  localparam int unsigned Shared = pipegs_pkg::Quads == 0 ? 1 : Units;  // bits of a mask that are kept as one
+  localparam int unsigned KeptW  = MaskW / Shared;
+  localparam int unsigned BelowW = pipegs_pkg::KindW + pipegs_pkg::TapDepthW + pipegs_pkg::PartW +
+                                   pipegs_pkg::TapIndexW;  // of a splat below its mask
+  localparam int unsigned AboveW = pipegs_pkg::SortedBits - MaskW - BelowW;
+  localparam int unsigned QueueW = AboveW + KeptW + BelowW;
   logic                splat_valid, splat_ready;
+  logic [AboveW-1:0]   above_in, above;
+  logic [BelowW-1:0]   below_in, below;
+  logic [MaskW-1:0]    mask_in, mask, part_own;
+  logic [KeptW-1:0]    kept_in, kept;
   pipegs_pkg::sorted_t splat;
   logic [$clog2(pipegs_pkg::RuQueue+1)-1:0] queued;
-
-  pipegs_sram_fifo #(.DataW(pipegs_pkg::SortedBits), .Depth(pipegs_pkg::RuQueue)) u_queue (
-    .clk_i,
-    .rst_ni,
-    .in_valid_i,
-    .in_ready_o,
-    .in_i,
-    .out_valid_o(splat_valid),
-    .out_ready_i(splat_ready),
-    .out_o(splat),
-    .count_o(queued)
-  );
-
-  // --- where in the frame -------------------------------------------------------------------------------------------
-  logic [pipegs_pkg::MaskW-1:0]      part_own;
-  logic [Regions-1:0]                own, outside, unwritten;
-  logic                              joined;  // rows leave together with those of the other RU
-  logic [$clog2(pipegs_pkg::Window):0] columns, rows;
-  logic [AddressW-1:0]               line;  // first one of the window's pixels
 
   ru_own u_own (
     .unit_i,
     .own_o(part_own)
   );
+  assign {above_in, mask_in, below_in} = in_i;
+  assign splat = {above, mask, below};
+  for (genvar i = 0; i < KeptW; i += 1) begin : gen_kept
+    if (Shared > 1) begin : gen_own
+      assign kept_in[i] = (mask_in[i*Shared +: Shared] & part_own[i*Shared +: Shared]) != '0;
+      assign mask[i*Shared +: Shared] = {Shared{kept[i]}} & part_own[i*Shared +: Shared];
+    end else begin : gen_all
+      assign kept_in[i] = mask_in[i];
+      assign mask[i]    = kept[i];
+    end
+  end
+  pipegs_sram_fifo #(.DataW(QueueW), .Depth(pipegs_pkg::RuQueue)) u_queue (
+    .clk_i,
+    .rst_ni,
+    .in_valid_i,
+    .in_ready_o,
+    .in_i({above_in, kept_in, below_in}),
+    .out_valid_o(splat_valid),
+    .out_ready_i(splat_ready),
+    .out_o({above, kept, below}),
+    .count_o(queued)
+  );
+
+  // --- where in the frame -------------------------------------------------------------------------------------------
+  logic [Regions-1:0]                own, outside, unwritten;
+  logic                              joined;  // rows leave together with those of the other RU
+  logic [$clog2(pipegs_pkg::Window):0] columns, rows;
+  logic [AddressW-1:0]               line;  // first one of the window's pixels
+
   assign own = {pipegs_pkg::Parts{part_own}};
   ru_window u_window (
     .clk_i,

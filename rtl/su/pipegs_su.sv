@@ -6,7 +6,8 @@
 // Idea    One pool of slots. su_gather gives a record a slot and puts it into its bucket of depth; an end releases the
 //         buckets before it, nearest first, as chains: chain -> su_sort -> su_output, which frees the slots one by one.
 //         Ends walk along in the same queues, so many layers live at once. A set that alone fills the pool goes to
-//         external memory and through the same path store by store (su_overflow); with Overflow 0 there is no such set.
+//         external memory until the next end, and through the same path store by store (su_overflow); what the end does
+//         not release returns as input. With Overflow 0 there is no such set.
 //         Only wiring here.
 // Stream  in: splats in any order, then an end beat. out: the same splats by {depth, index}, then the end beat. A
 //         layer's end is a watermark if there are any: no later splat of the window is nearer than its depth; it comes
@@ -30,7 +31,6 @@ module pipegs_su (
   input  logic                             out_ready_i,
   output pipegs_pkg::splat_t               out_o,
 
-  input  logic                             spill_i,     // another SU is spilling
   output logic                             spilling_o,
 
   output logic                             mem_valid_o,
@@ -55,8 +55,10 @@ module pipegs_su (
   // --- splats -> chains ---------------------------------------------------------------------------------------------
   logic                     write, free, empty, chain_valid, chain_ready, split_idle, link, link_ready;
   logic                     mark_valid, mark_first, mark_ready, drained, settled, gather_moves;
-  logic                     spill_start, spill_valid, spill_ready, spill_ended, spill_done, job_valid, job_done;
+  logic                     spill_start, spill_valid, spill_ready, spill_ended, spill_sent, spill_done, job_valid;
+  logic                     job_done, spill_stay, refills, returns, refill_ready;
   logic [RecordW-1:0]       slot, free_slot, link_slot, link_to;
+  logic                     back_valid;
   pipegs_pkg::splat_t       record;
   pipegs_pkg::su_chain_t    chain;
   pipegs_pkg::su_mark_t     mark;
@@ -86,12 +88,17 @@ module pipegs_su (
     .mark_o(mark),
     .mark_first_i(mark_first),
     .mark_ready_i(mark_ready),
-    .spill_i,
     .spilling_o,
     .spill_start_o(spill_start),
     .spill_valid_o(spill_valid),
     .spill_ready_i(spill_ready),
     .spill_ended_o(spill_ended),
+    .spill_stay_i(spill_stay),
+    .renew_i(refills),
+    .returns_i(returns),
+    .back_valid_i(back_valid),
+    .back_ready_o(refill_ready),
+    .back_i(out_o),
     .spill_done_i(spill_done),
     .job_valid_i(job_valid),
     .job_done_o(job_done),
@@ -164,7 +171,7 @@ module pipegs_su (
   logic                     merged_valid;  // the key comes from a merge in external memory; the sorter is empty then
   logic [KeyW-1:0]          merged_key;
   logic [RecordW-1:0]       merged_slot;
-  logic                     divert, spilled, keep, all_sent, kept_valid, kept_ready, back_valid, back_ready;
+  logic                     divert, spilled, keep, all_sent, kept_valid, kept_ready, back_ready;
   logic                     output_empty, output_moves;
   logic                     read_valid, read_ready, line_valid, line_ready;
   logic [pipegs_pkg::SlotW-1:0] read_line, kept_number;
@@ -176,21 +183,17 @@ module pipegs_su (
   su_output u_output (
     .clk_i,
     .rst_ni,
-    .octave_i,
     .item_valid_i(item_valid),
     .item_ready_o(item_ready),
     .item_i(item),
-    .merged_valid_i(merged_valid),
-    .merged_key_i(merged_key),
     .spilled_i(spilled),
     .keep_i(keep),
     .all_sent_i(all_sent),
-    .external_i(external),
     .mark_valid_i(mark_valid),
     .mark_i(mark),
     .mark_first_o(mark_first),
     .mark_ready_o(mark_ready),
-    .done_o(spill_done),
+    .done_o(spill_sent),
     .kept_valid_o(kept_valid),
     .kept_ready_i(kept_ready),
     .kept_number_o(kept_number),
@@ -205,9 +208,9 @@ module pipegs_su (
     .record_i(payload),
     .free_o(free),
     .free_slot_o(free_slot),
-    .divert_i(divert),
+    .divert_i(divert || returns),
     .back_valid_o(back_valid),
-    .back_ready_i(back_ready),
+    .back_ready_i(returns ? refill_ready : back_ready),
     .out_valid_o,
     .out_ready_i,
     .out_o,
@@ -223,13 +226,20 @@ module pipegs_su (
     su_overflow u_overflow (
       .clk_i,
       .rst_ni,
+      .octave_i,
       .overflow_i,
       .unit_i,
       .start_i(spill_start),
       .drained_i(drained),
       .empty_i(empty),
       .ended_i(spill_ended),
-      .done_i(spill_done),
+      .mark_valid_i(mark_valid),
+      .mark_i(mark),
+      .done_i(spill_sent),
+      .stay_o(spill_stay),
+      .refills_o(refills),
+      .returns_o(returns),
+      .end_o(spill_done),
       .job_valid_o(job_valid),
       .job_done_i(job_done),
       .divert_o(divert),
@@ -277,7 +287,7 @@ module pipegs_su (
   end else begin : gen_room
     assign {job_valid, divert, spilled, keep, all_sent, spill_ready, kept_ready, back_ready, group_valid} = '0;
     assign {merged_valid, merged_key, merged_slot} = '0;
-    assign {read_ready, line_valid, line} = '0;
+    assign {read_ready, line_valid, line, spill_stay, refills, returns, spill_done} = '0;
     assign {mem_valid_o, mem_write_o, mem_address_o, mem_data_o} = '0;
     assign {overflow_o, port_waits, overflow_moves, port_active} = '0;
     assign {full_o, full_line_o} = '0;
@@ -285,7 +295,7 @@ module pipegs_su (
     assign group    = '0;
     logic unused_overflow;
     assign unused_overflow = &{1'b0, overflow_i, unit_i, mem_ready_i, rsp_valid_i, rsp_data_i, record, job_done, empty,
-                               spill_start, spill_ended, spill_valid, back_valid, kept_valid, read_valid, read_line,
+                               spill_start, spill_ended, spill_sent, spill_valid, kept_valid, read_valid, read_line,
                                line_ready, kept_number};
   end
 

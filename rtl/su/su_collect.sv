@@ -2,10 +2,11 @@
 // su_collect: takes the splats of a layer in, to a free slot each, and passes the ends on as marks.
 //
 // Paper   Sec. 4.1 (layer i + 1 is collected while layer i is sorted).
-// Idea    A set is what one end releases whole: a layer, or a window with watermarks. Two sets of buckets take turns. A
-//         mark waits in a queue until su_buckets has released what lies before it, and collecting goes on. When the
-//         pool is full and nothing of it is on its way out, or another SU spills (then it may wait for our marks), the
-//         present set goes to external memory: its next records and marks are taken at once, until its end.
+// Idea    A set is what one end releases whole: a layer, or with watermarks a window or a part of it. Two sets of
+//         buckets take turns. A mark waits in a queue until su_buckets has released what lies before it, and collecting
+//         goes on. When the pool is full and nothing of it is on its way out, the present set goes to external memory,
+//         with all that comes until the next mark, whatever it releases: then what lies before it is sorted and sent.
+//         What is left returns to the pool as if it came in, or stays in memory with what comes until the mark after.
 // Stream  in: splats, then an end beat. insert: slot and bucket; record: a splat for external memory; mark: an end.
 // Pace    One splat per two cycles; spilling: as fast as su_spill takes them.
 // Model   Plumbing; the whole SU is tested against cpp_model/su/su.hpp.
@@ -37,11 +38,12 @@ module su_collect (
   input  logic                           released_set_i,
   input  logic                           full_i,          // no slot is free
   input  logic                           drained_i,       // nothing that was released is left inside
-  input  logic                           spill_i,         // another SU spills
   output logic                           spill_start_o,
   output logic                           spilling_o,
-  output logic                           ended_o,         // the set that spilled has ended
-  input  logic                           spill_done_i,    // ... and was sent
+  output logic                           ended_o,         // the mark that ends the spill was taken
+  input  logic                           stay_i,          // it was sent, and the set goes on spilling
+  input  logic                           returns_i,       // ... what is left comes in
+  input  logic                           spill_done_i,    // ... nothing is left in memory
 
   output logic                           active_o
 );
@@ -50,7 +52,7 @@ module su_collect (
   typedef enum logic [1:0] {
     Collect,  // waits for splats and ends
     Spill,    // the same; they go to external memory
-    Sort      // waits until the set that spilled was sent
+    Sort      // waits until what lies before the mark was sent, and what is left has come in
   } state_e;
   state_e state_q;
 
@@ -58,11 +60,11 @@ module su_collect (
   logic [1:0] closed_q;  // the set has ended and is not yet released whole
 
   assign data  = in_kind_i == pipegs_pkg::KindData;
-  assign open  = state_q == Collect && !closed_q[set_q];
+  assign open  = (state_q == Collect && !closed_q[set_q]) || returns_i;
   assign take  = in_valid_i && in_ready_o;
-  assign stuck = in_valid_i && open && data && full_i;
+  assign stuck = in_valid_i && open && data && full_i && !returns_i;
   // only memory has room; without it an assertion needs the clock
-  assign lost  = stuck && (drained_i || (pipegs_pkg::HasWatermarks && spill_i));
+  assign lost  = stuck && drained_i;
   assign spill_start_o = pipegs_pkg::Overflow != 0 && lost;
 
   assign insert_valid_o = in_valid_i && open && data && slot_valid_i;
@@ -71,12 +73,12 @@ module su_collect (
   assign write_o        = insert_valid_o && insert_ready_i;
   assign in_ready_o     = data ? (open && slot_valid_i && insert_ready_i) || (state_q == Spill && record_ready_i)
                                : (open || state_q == Spill) && mark_ready_i;
-  assign mark_all_o     = !pipegs_pkg::HasWatermarks || in_kind_i == pipegs_pkg::KindWindowEnd;
+  assign mark_all_o     = !pipegs_pkg::HasWatermarks || in_kind_i != pipegs_pkg::KindLayerEnd;
   assign set_o          = set_q;
   assign spilled_o      = state_q == Spill;
   assign spilling_o     = state_q == Spill;
   assign ended_o        = state_q == Sort;
-  assign active_o       = take || lost || released_i || spill_done_i;
+  assign active_o       = take || lost || released_i || stay_i || spill_done_i;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
@@ -86,8 +88,8 @@ module su_collect (
     end else begin
       unique case (state_q)
         Collect: if (spill_start_o) state_q <= Spill;
-        Spill:   if (take && !data && mark_all_o) state_q <= Sort;
-        default: if (spill_done_i) state_q <= Collect;
+        Spill:   if (take && !data) state_q <= Sort;
+        default: if (stay_i || spill_done_i) state_q <= stay_i ? Spill : Collect;
       endcase
       if (released_i) closed_q[released_set_i] <= 1'b0;
       if (take && !data && mark_all_o && state_q == Collect) begin

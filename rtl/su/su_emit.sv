@@ -3,10 +3,10 @@
 //
 // Idea    Sorted keys wait in a queue while their records are fetched: from the pool when their turn comes, which frees
 //         the slot, from external memory as soon as they enter the queue, so that up to 32 fetches overlap. A key of a
-//         set that spilled has a record number of its own, kept beside the key store; while that set is still being
-//         sorted key and number go back to external memory. Ends walk through the queue behind their layer, so the next
-//         layer is sorted meanwhile; none enters before all records of its layer were asked for, which the next set
-//         may overwrite.
+//         set that spilled has a record number of its own, which lies where a record would; while that set is still
+//         being sorted key and number go back to external memory. Ends walk through the queue behind their layer, so
+//         the next layer is sorted meanwhile; none enters before all records of its layer were asked for, which the
+//         next set may overwrite.
 // Stream  item: keys with slots in order, or an end with its kind as slot. out: splats. free: a slot whose record was
 //         read.
 // Pace    One splat per cycle; of a set that spilled one in three cycles, or as fast as the memory takes requests.
@@ -23,10 +23,6 @@ module su_emit (
   input  logic                            item_end_i,   // kind in the slot's low bits
   input  logic                            spilled_i,    // slots are those of a set that spilled
   input  logic                            keep_i,       // its keys go to kept, with their numbers
-
-  input  logic                            number_write_i,  // record numbers of that set
-  input  logic [pipegs_pkg::RecordW-1:0]  number_slot_i,
-  input  logic [pipegs_pkg::SlotW-1:0]    number_i,
 
   output logic                            kept_valid_o,
   input  logic                            kept_ready_i,
@@ -62,21 +58,7 @@ module su_emit (
   // Where is the record? For a set that spilled the number is read first.
   logic               looked_q, look, outside, known, item_go, queue_ready, ask_q;  // ask: for the record of read_line
   logic [NumberW-1:0] number, read_line_q;
-  if (pipegs_pkg::Overflow != 0) begin : gen_numbers
-    pipegs_sram #(.DataW(NumberW), .Depth(pipegs_pkg::Records)) u_numbers (
-      .clk_i,
-      .write_i(number_write_i),
-      .waddr_i(number_slot_i),
-      .wdata_i(number_i),
-      .read_i(look),
-      .raddr_i(item_slot_i),
-      .rdata_o(number)
-    );
-  end else begin : gen_no_numbers
-    assign number = '0;
-    logic unused_number;
-    assign unused_number = &{1'b0, number_slot_i, number_i};
-  end
+  assign number       = record_i[NumberW-1:0];
   assign outside      = pipegs_pkg::Overflow != 0 && spilled_i && !item_end_i;
   assign look         = item_valid_i && outside && !looked_q;
   assign known        = !outside || looked_q;
@@ -97,7 +79,8 @@ module su_emit (
   logic [KeyW-1:0]   head_key, key_q;
   logic [pipegs_pkg::SplatBits-PayloadAt-1:0] payload;
   logic [KeyW-1:0]   key;
-  logic              sent;
+  logic              sent, fetch;  // fetch: of a record in the pool
+  pipegs_pkg::splat_t entry_splat;  // with the record of the pool
 
   assign entry = {item_end_i ? item_slot_i[KindW-1:0] : pipegs_pkg::KindData, outside, item_slot_i, item_key_i};
   pipegs_sram_fifo #(.DataW(EntryW), .Depth(pipegs_pkg::SuWaiting)) u_waiting (
@@ -113,28 +96,26 @@ module su_emit (
   );
   assign {head_kind, head_outside, head_slot, head_key} = head;
   assign head_ready    = !valid_q || sent;
-  assign record_read_o = head_valid && head_ready && head_kind == pipegs_pkg::KindData && !head_outside;
-  assign record_slot_o = head_slot;
+  assign fetch         = head_valid && head_ready && head_kind == pipegs_pkg::KindData && !head_outside;
+  assign record_read_o = look || fetch;
+  assign record_slot_o = look ? item_slot_i : head_slot;
 
   assign out_valid_o  = valid_q && (!outside_q || line_valid_i);
   assign sent         = out_valid_o && out_ready_i;
   assign line_ready_o = sent && outside_q;
-  assign payload      = kind_q != pipegs_pkg::KindData ? '0 :
-                        outside_q ? line_i[pipegs_pkg::SplatBits-1:PayloadAt] : record_i;
+  assign payload      = kind_q == pipegs_pkg::KindData ? record_i : '0;
   assign key          = kind_q == pipegs_pkg::KindData ? key_q : '0;
+  assign out_o        = outside_q ? line_i : entry_splat;
   if (KeyW > pipegs_pkg::DepthW) begin : gen_name  // index and part are a key's lower bits, a splat's upper ones
-    assign out_o = {payload, key[KeyW-pipegs_pkg::DepthW-1:0], key[KeyW-1 -: pipegs_pkg::DepthW], kind_q};
+    assign entry_splat = {payload, key[KeyW-pipegs_pkg::DepthW-1:0], key[KeyW-1 -: pipegs_pkg::DepthW], kind_q};
   end else begin : gen_depth
-    assign out_o = {payload, key, kind_q};
+    assign entry_splat = {payload, key, kind_q};
   end
-  assign free_o       = record_read_o;
+  assign free_o       = fetch;
   assign free_slot_o  = head_slot;
   assign empty_o      = waiting == '0 && !valid_q;
-  assign active_o     = item_go || look || number_write_i || read_ready_i || sent || (head_valid && head_ready) ||
+  assign active_o     = item_go || look || read_ready_i || sent || (head_valid && head_ready) ||
                         (waiting != '0 && !head_valid);
-
-  logic unused_line;
-  assign unused_line = &{1'b0, line_i[PayloadAt-1:0]};
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
@@ -158,6 +139,10 @@ module su_emit (
   end
 
 `ifndef SYNTHESIS
+  // A number that is read meets no record of the pool.
+  always_ff @(posedge clk_i) if (rst_ni) assert (!(look || looked_q) || !fetch);
+  always_ff @(posedge clk_i) if (rst_ni)
+    assert (!look || !valid_q || outside_q || kind_q != pipegs_pkg::KindData);
   pipegs_stream_check #(.DataW($bits(kept_number_o))) u_check_kept (
     .clk_i,
     .rst_ni,

@@ -42,13 +42,18 @@ module su_gather #(
   input  logic                  mark_first_i,  // of a set that spilled: it goes before the next key
   input  logic                  mark_ready_i,
 
-  input  logic                  spill_i,        // another SU is spilling
   output logic                  spilling_o,
   output logic                  spill_start_o,  // the present set spills
   output logic                  spill_valid_o,  // record_o goes to memory
   input  logic                  spill_ready_i,
   output logic                  spill_ended_o,
-  input  logic                  spill_done_i,   // its last mark has left
+  input  logic                  spill_stay_i,   // its mark has left; the set goes on spilling ...
+  input  logic                  renew_i,        // ... or what is left of it will take slots from 0 on ...
+  input  logic                  returns_i,      // ... and comes back instead of what comes in ...
+  input  logic                  back_valid_i,
+  output logic                  back_ready_o,
+  input  pipegs_pkg::splat_t    back_i,
+  input  logic                  spill_done_i,   // ... or nothing of it is in memory
   input  logic                  job_valid_i,    // all that was collected of it is to be released
   output logic                  job_done_o,
   input  logic                  drained_i,      // nothing that was released is left inside
@@ -57,9 +62,11 @@ module su_gather #(
   output logic                  moves_o
 );
 
-  logic               valid, ready, slot_valid, pool_active, collect_active, release_moves;
+  logic               in_valid, valid, ready, slot_valid, pool_active, collect_active, release_moves;
+  pipegs_pkg::splat_t in;
   logic [RecordW:0]   used;
-  logic [BucketW-1:0] bucket;
+  logic [BucketW-1:0] bucket, back_bucket, insert_bucket;  // of what comes in, of what returns, of the record
+  logic [pipegs_pkg::KindW-1:0] kind;
   logic               insert_valid, insert_ready, set, mark_push, mark_room, mark_all, mark_spills;
   logic               released, released_set;
 
@@ -69,24 +76,46 @@ module su_gather #(
     .in_valid_i,
     .in_ready_o,
     .in_i,
-    .out_valid_o(valid),
-    .out_ready_i(ready),
-    .out_o(record_o)
+    .out_valid_o(in_valid),
+    .out_ready_i(ready && !returns_i),
+    .out_o(in)
   );
+  assign valid        = returns_i ? back_valid_i : in_valid;
+  assign record_o     = returns_i ? back_i : in;
+  assign back_ready_o = returns_i && ready;
+  // What returns has come a long way in its cycle. It is never an end and meets no job of the buckets, so neither its
+  // kind nor its bucket has a say in whether it is taken.
+  assign kind = returns_i ? pipegs_pkg::KindData : in.kind;
   su_bucket u_bucket (
     .octave_i,
-    .depth_i(record_o.depth),
+    .depth_i(in.depth),
     .bucket_o(bucket)
   );
+  su_bucket u_back_bucket (
+    .octave_i,
+    .depth_i(back_i.depth),
+    .bucket_o(back_bucket)
+  );
+  assign insert_bucket = returns_i ? back_bucket : bucket;
+
+  // A slot comes back when its record is taken from all SUs' nearest: a register ends that path.
+  logic               free_q;
+  logic [RecordW-1:0] free_slot_q;
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) free_q <= 1'b0;
+    else free_q <= free_i;
+  end
+  always_ff @(posedge clk_i) free_slot_q <= free_slot_i;
 
   pipegs_slot_pool #(.Slots(pipegs_pkg::Records)) u_slots (
     .clk_i,
     .rst_ni,
+    .renew_i,
     .slot_valid_o(slot_valid),
     .slot_ready_i(write_o),
     .slot_o,
-    .free_i,
-    .free_slot_i,
+    .free_i(free_q),
+    .free_slot_i(free_slot_q),
     .used_o(used),
     .active_o(pool_active)
   );
@@ -97,8 +126,8 @@ module su_gather #(
     .rst_ni,
     .in_valid_i(valid),
     .in_ready_o(ready),
-    .in_kind_i(record_o.kind),
-    .in_bucket_i(bucket),
+    .in_kind_i(kind),
+    .in_bucket_i(insert_bucket),
     .slot_valid_i(slot_valid),
     .insert_valid_o(insert_valid),
     .insert_ready_i(insert_ready),
@@ -114,10 +143,11 @@ module su_gather #(
     .released_set_i(released_set),
     .full_i(used == (RecordW+1)'(pipegs_pkg::Records)),
     .drained_i,
-    .spill_i,
     .spill_start_o,
     .spilling_o,
     .ended_o(spill_ended_o),
+    .stay_i(spill_stay_i),
+    .returns_i,
     .spill_done_i,
     .active_o(collect_active)
   );
@@ -129,12 +159,13 @@ module su_gather #(
     .insert_ready_o(insert_ready),
     .set_i(set),
     .bucket_i(bucket),
+    .insert_bucket_i(insert_bucket),
     .slot_i(slot_o),
     .mark_valid_i(mark_push),
     .mark_ready_o(mark_room),
     .mark_all_i(mark_all),
     .mark_spills_i(mark_spills),
-    .mark_kind_i(record_o.kind),
+    .mark_kind_i(in.kind),
     .spill_job_i(job_valid_i),
     .job_done_o,
     .released_o(released),
@@ -158,6 +189,7 @@ module su_gather #(
   assign moves_o = collect_active || pool_active || release_moves;
 
 `ifndef SYNTHESIS
+  always_ff @(posedge clk_i) if (rst_ni) assert (!(returns_i && back_valid_i) || back_i.kind == pipegs_pkg::KindData);
   always_ff @(posedge clk_i) if (rst_ni) assert (!mark_push || mark_room || !pipegs_pkg::HasWatermarks);
 `endif
 

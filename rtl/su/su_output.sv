@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // su_output: sorted keys become splats again, with the ends of a set that spilled among them.
 //
-// Idea    Of a set that spilled nothing was released (su_release), so its marks go here before the first key of their
-//         bucket or of a later one, the last one behind all keys. Then su_emit.
-// Stream  item: keys and ends in order. mark: the end in front. out: splats; while divert_i, to su_spill.
+// Idea    Of a set that spilled nothing was released (su_release), so the mark that ends the spill goes here, behind
+//         all keys that it releases. Then su_emit.
+// Stream  item: keys and ends in order. mark: the end in front. out: splats; while divert_i, to su_spill, or back into
+//         the pool.
 // Pace    su_emit's.
 // Model   cpp_model/su/su.hpp
 
@@ -16,23 +17,18 @@ module su_output #(
 ) (
   input  logic                     clk_i,
   input  logic                     rst_ni,
-  input  logic [pipegs_pkg::ExpW-1:0] octave_i,     // in which the buckets of depth begin
-
   input  logic                     item_valid_i,
   output logic                     item_ready_o,
   input  pipegs_pkg::su_item_t     item_i,
-  input  logic                     merged_valid_i,  // the item is of a set that spilled, ...
-  input  logic [KeyW-1:0]          merged_key_i,    // ... and this its key
 
   input  logic                     spilled_i,       // the keys are of a set that spilled
   input  logic                     keep_i,          // it is still being sorted: they go to kept
   input  logic                     all_sent_i,      // no more of them come
-  input  pipegs_pkg::su_external_t external_i,
   input  logic                     mark_valid_i,
   input  pipegs_pkg::su_mark_t     mark_i,
   output logic                     mark_first_o,
   output logic                     mark_ready_o,
-  output logic                     done_o,          // the last mark of the set leaves
+  output logic                     done_o,          // the mark leaves
 
   output logic                     kept_valid_o,
   input  logic                     kept_ready_i,
@@ -61,22 +57,13 @@ module su_output #(
   output logic                     moves_o
 );
 
-  logic valid, emit_ready, emit_valid, sends;
-  logic [pipegs_pkg::BucketW-1:0] bucket;  // of the key
+  logic valid, emit_ready, emit_valid;
 
-  su_bucket u_bucket (
-    .octave_i,
-    .depth_i(merged_key_i[KeyW-1 -: pipegs_pkg::DepthW]),
-    .bucket_o(bucket)
-  );
-
-  assign sends        = spilled_i && !keep_i;
-  assign mark_first_o = sends && mark_valid_i && ((all_sent_i && !item_valid_i) ||
-                        (!mark_i.all && merged_valid_i && mark_i.bucket <= bucket));
+  assign mark_first_o = spilled_i && !keep_i && mark_valid_i && all_sent_i && !item_valid_i;
   assign mark_ready_o = emit_ready;
-  assign done_o       = mark_first_o && mark_i.all && emit_ready;
-  assign emit_valid   = mark_first_o || (item_valid_i && (!sends || mark_valid_i));
-  assign item_ready_o = emit_ready && !mark_first_o && (!sends || mark_valid_i);
+  assign done_o       = mark_first_o && emit_ready;
+  assign emit_valid   = mark_first_o || item_valid_i;
+  assign item_ready_o = emit_ready && !mark_first_o;
 
   su_emit u_emit (
     .clk_i,
@@ -88,9 +75,6 @@ module su_output #(
     .item_slot_i(mark_first_o ? RecordW'(mark_i.kind) : item_i.slot),
     .spilled_i,
     .keep_i,
-    .number_write_i(external_i.write),
-    .number_slot_i(external_i.slot),
-    .number_i(external_i.number),
     .kept_valid_o,
     .kept_ready_i,
     .kept_number_o,
@@ -114,8 +98,8 @@ module su_output #(
   assign back_valid_o = valid && divert_i;
   assign out_valid_o  = valid && !divert_i;
 
-  logic unused;  // the key is the stores'
-  assign unused = &{1'b0, external_i, merged_key_i};
+  logic unused;  // its bucket
+  assign unused = &{1'b0, mark_i};
 
 `ifndef SYNTHESIS
   pipegs_stream_check u_check_back (

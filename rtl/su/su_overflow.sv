@@ -2,8 +2,8 @@
 // su_overflow: the way of a set that does not fit the pool: to external memory, sorted there, and back.
 //
 // Paper   None: its buffers hold every layer. Without it a scene could not be rendered whatever its layers hold.
-// Idea    su_spill takes the set's records out, su_external sorts their keys, su_port writes and reads their lines.
-//         Only wiring here.
+// Idea    su_spill takes the set's records out, su_external sorts their keys up to the mark that ends the spill,
+//         su_port writes and reads their lines. Only wiring here.
 // Stream  records in; keys to and from the pool; sorted keys (item) out; lines to su_external and su_emit. mem: one
 //         port that writes and reads.
 // Pace    su_port's: one request in two cycles.
@@ -19,6 +19,7 @@ module su_overflow #(
 ) (
   input  logic                         clk_i,
   input  logic                         rst_ni,
+  input  logic [pipegs_pkg::ExpW-1:0]  octave_i,
   input  pipegs_pkg::span_t            overflow_i,
   input  logic [pipegs_pkg::UnitW-1:0] unit_i,
 
@@ -26,7 +27,13 @@ module su_overflow #(
   input  logic                         drained_i,  // nothing older is inside
   input  logic                         empty_i,    // no slot is taken: so it is when keys come back (asserted)
   input  logic                         ended_i,
-  input  logic                         done_i,     // its last mark has left
+  input  logic                         mark_valid_i,
+  input  pipegs_pkg::su_mark_t         mark_i,
+  input  logic                         done_i,     // the mark has left
+  output logic                         stay_o,     // the set goes on spilling ...
+  output logic                         refills_o,  // ... or what is left is looked up, then ...
+  output logic                         returns_o,  // ... what is left comes out of su_emit, and goes to the pool
+  output logic                         end_o,      // ... or nothing of it is in memory
   output logic                         job_valid_o,
   input  logic                         job_done_i,
   output logic                         divert_o,   // what su_emit gives goes to memory
@@ -45,7 +52,7 @@ module su_overflow #(
   input  logic [KeyW-1:0]              key_i,          // a key that was read there
   output logic                         group_valid_o,  // keys there are to be sorted
   output pipegs_pkg::su_group_t        group_o,
-  output logic                         item_valid_o,   // sorted keys of the last merge
+  output logic                         item_valid_o,   // sorted keys of the last merge, or what returns
   input  logic                         item_ready_i,
   output logic [KeyW-1:0]              item_key_o,
   output logic [RecordW-1:0]           item_slot_o,
@@ -79,13 +86,11 @@ module su_overflow #(
 
   localparam int unsigned WayW = $clog2(pipegs_pkg::SuWays);
 
-  logic                 open, closed, external_active, spill_active, fetch_list, fetch_area;
+  logic                 open, closed, again, refill, returned, external_active, spill_active, fetch_list, fetch_area;
   logic                 line_record_valid, line_record_ready, keys_valid, keys_ready, run_valid, run_ready, run_area;
   logic                 fetch_valid, fetch_ready, line_taken, line_shown, line_fetch, fetched_taken;
   logic [WayW-1:0]      fetch_way, line_way;
-  logic [NumberW-1:0]   spill_count, listed, record_line, keys_line, run_line, fetch_line;
-  logic [RecordW:0]     group_count;
-  logic [KeyW-1:0]      spill_min, spill_max;
+  logic [NumberW-1:0]   spill_count, listed, rest, record_line, keys_line, run_line, fetch_line;
   logic [SplatBits-1:0] line_record;
   logic [MemoryW-1:0]   keys, run, line;
 
@@ -102,6 +107,13 @@ module su_overflow #(
     .listed_o(listed),
     .closed_o(closed),
     .done_i,
+    .mark_all_i(mark_i.all),
+    .rest_i(rest),
+    .again_o(again),
+    .stay_o,
+    .refill_o(refill),
+    .returned_i(returned),
+    .end_o,
     .in_valid_i(record_valid_i),
     .in_ready_o(record_ready_o),
     .in_i(record_i),
@@ -109,8 +121,6 @@ module su_overflow #(
     .back_ready_o,
     .back_i,
     .count_o(spill_count),
-    .min_o(spill_min),
-    .max_o(spill_max),
     .record_valid_o(line_record_valid),
     .record_ready_i(line_record_ready),
     .record_line_o(record_line),
@@ -126,13 +136,24 @@ module su_overflow #(
   su_external u_external (
     .clk_i,
     .rst_ni,
+    .octave_i,
     .start_i,
     .open_i(open),
     .listed_i(listed),
     .closed_i(closed),
     .count_i(spill_count),
+    .mark_valid_i,
+    .mark_i,
     .sent_o,
-    .done_i,
+    .rest_o(rest),
+    .again_i(again),
+    .stay_i(stay_o),
+    .refill_i(refill),
+    .end_i(end_o),
+    .idle_i(drained_i),
+    .refills_o,
+    .returns_o,
+    .returned_o(returned),
     .read_valid_o(fetch_valid),
     .read_ready_i(fetch_ready),
     .read_list_o(fetch_list),
@@ -150,8 +171,8 @@ module su_overflow #(
     .run_o(run),
     .pool_o(external_o),
     .pool_key_i(key_i),
-    .group_o(group_valid_o),
-    .group_count_o(group_count),
+    .group_valid_o,
+    .group_o,
     .item_valid_o,
     .item_ready_i,
     .item_key_o,
@@ -163,7 +184,6 @@ module su_overflow #(
     .kept_number_i,
     .active_o(external_active)
   );
-  assign group_o = {group_count, spill_min, spill_max};
 
   su_port u_port (
     .clk_i,
@@ -185,7 +205,8 @@ module su_overflow #(
     .run_i(run),
     .fetch_valid_i(fetch_valid),
     .fetch_ready_o(fetch_ready),
-    .fetch_area_i(!fetch_list && fetch_area),
+    .fetch_list_i(fetch_list),
+    .fetch_area_i(fetch_area),
     .fetch_line_i(fetch_line),
     .fetch_way_i(fetch_way),
     .read_valid_i,

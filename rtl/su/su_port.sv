@@ -3,11 +3,11 @@
 //
 // Idea    One request is chosen at a time and stays until the memory takes it. A read is only asked for when the
 //         store has room for its answer, counted from the request to the moment the line is used; a queue beside the
-//         store says whose line each one is. At most one overflowed layer lives. Of the unit's share one area has
-//         records, one the list of keys and every other level of runs, one the other runs (area_place). A line that
-//         its area does not hold is not asked for, nor is any behind it (full_o); the last number of all has no place,
-//         so that a count that wraps is seen. No line is written while a read of a record is unanswered: a set that
-//         begins to spill writes where the one before it is still read, and memory keeps no order between the two.
+//         store says whose line each one is. At most one overflowed set lives. Of the unit's share one area has
+//         records, one the list of keys, two the runs of every other level (area_place). A line that its area does not
+//         hold is not asked for, nor is any behind it (full_o); the last number of all has no place, so that a count
+//         that wraps is seen. A set begins to spill when all that was read has left, so no line is written while it is
+//         being read.
 // Stream  record, keys, run: lines to write. fetch: the number of a line of keys; read: of a record. line: the lines
 //         read, in order; line_fetch_o: it is one of keys, for line_way_o.
 // Pace    One request in two cycles, up to Answers reads in flight.
@@ -32,13 +32,14 @@ module su_port #(
 
   input  logic                              run_valid_i,
   output logic                              run_ready_o,
-  input  logic                              run_area_i,   // 1: AreaRuns, 0: AreaKeys
+  input  logic                              run_area_i,   // 1: AreaRuns, 0: AreaMerged
   input  logic [pipegs_pkg::SlotW-1:0]      run_line_i,
   input  logic [pipegs_pkg::MemoryW-1:0]    run_i,
 
   input  logic                              fetch_valid_i,
   output logic                              fetch_ready_o,
-  input  logic                              fetch_area_i,  // as run_area_i
+  input  logic                              fetch_list_i,  // of AreaKeys; else ...
+  input  logic                              fetch_area_i,  // ... as run_area_i
   input  logic [pipegs_pkg::SlotW-1:0]      fetch_line_i,
   input  logic [WayW-1:0]                   fetch_way_i,
   input  logic                              read_valid_i,
@@ -78,22 +79,20 @@ module su_port #(
   logic [pipegs_pkg::SlotW-1:0]    line, line_q;
   logic [FlightW-1:0]              flight_q;  // lines asked for and not yet used
   logic [FlightW-1:0]              await_q;   // of these, the unanswered ones
-  logic [FlightW-1:0]              behind_q;  // answers until that to the last read of a record
-  logic                            taken, asked, used, room, writes;
+  logic                            taken, asked, used, room;
   logic [FlightW-1:0]              stored;    // of these, the answered ones
   logic [FlightW-1:0]              owners;
   logic                            owner_valid, unused_queue_ready, unused_owner_ready;
 
   assign room   = flight_q != FlightW'(Answers);
-  assign writes = behind_q == '0;
   assign taken  = mem_valid_o && mem_ready_i;
   assign used   = line_valid_o && line_ready_i;
 
   always_comb begin
     choice_d = None;
-    if (record_valid_i && writes) choice_d = Record;
-    else if (keys_valid_i && writes) choice_d = Keys;
-    else if (run_valid_i && writes) choice_d = Run;
+    if (record_valid_i) choice_d = Record;
+    else if (keys_valid_i) choice_d = Keys;
+    else if (run_valid_i) choice_d = Run;
     else if (fetch_valid_i && room) choice_d = Fetch;
     else if (read_valid_i && room) choice_d = Read;
     unique case (choice_d)
@@ -105,8 +104,9 @@ module su_port #(
     endcase
     unique case (choice_d)
       Keys:    area = pipegs_pkg::AreaKeys;
-      Run:     area = run_area_i ? pipegs_pkg::AreaRuns : pipegs_pkg::AreaKeys;
-      Fetch:   area = fetch_area_i ? pipegs_pkg::AreaRuns : pipegs_pkg::AreaKeys;
+      Run:     area = run_area_i ? pipegs_pkg::AreaRuns : pipegs_pkg::AreaMerged;
+      Fetch:   area = fetch_list_i ? pipegs_pkg::AreaKeys :
+                      fetch_area_i ? pipegs_pkg::AreaRuns : pipegs_pkg::AreaMerged;
       default: area = pipegs_pkg::AreaRecords;
     endcase
   end
@@ -158,15 +158,12 @@ module su_port #(
       choice_q <= None;
       flight_q <= '0;
       await_q  <= '0;
-      behind_q <= '0;
     end else begin
       if (choice_q == None) choice_q <= choice_d;
       else if (taken) choice_q <= None;
       if (asked && !used) flight_q <= flight_q + 1'b1;
       if (used && !asked) flight_q <= flight_q - 1'b1;
       await_q <= await_q + FlightW'(asked) - FlightW'(rsp_valid_i);
-      if (read_ready_o) behind_q <= await_q + 1'b1 - FlightW'(rsp_valid_i);
-      else if (rsp_valid_i && behind_q != '0) behind_q <= behind_q - 1'b1;
     end
   end
 

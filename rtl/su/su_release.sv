@@ -19,7 +19,8 @@ module su_release #(
   input  logic               insert_valid_i,  // a record has its slot
   output logic               insert_ready_o,
   input  logic               set_i,
-  input  logic [BucketW-1:0] bucket_i,
+  input  logic [BucketW-1:0] bucket_i,         // of what comes in
+  input  logic [BucketW-1:0] insert_bucket_i,  // of the record
   input  logic [RecordW-1:0] slot_i,
 
   input  logic               mark_valid_i,  // an end, of this set and before this bucket
@@ -63,19 +64,31 @@ module su_release #(
   logic [$clog2(Marks+1)-1:0]  marks;
   logic [$clog2(Chains+1)-1:0] chains;
 
+  // The bucket of the mark in front decides late in a cycle what comes in: it stands in registers.
+  logic                     next_valid, next_ready, head_valid_q;
+  logic [3+KindW+BucketW-1:0] next, head_q;
   pipegs_sram_fifo #(.DataW(3 + KindW + BucketW), .Depth(Marks)) u_marks (
     .clk_i,
     .rst_ni,
     .in_valid_i(mark_valid_i),
     .in_ready_o(mark_ready_o),
     .in_i({set_i, mark_all_i, mark_spills_i, mark_kind_i, bucket_i}),
-    .out_valid_o(head_valid_o),
-    .out_ready_i(head_first_i ? head_ready_i : job_done_o && !spill_job_i),
-    .out_o({head_set, head_all, head_spills, head_kind, head_bucket}),
+    .out_valid_o(next_valid),
+    .out_ready_i(next_ready),
+    .out_o(next),
     .count_o(marks)
   );
+  assign next_ready   = !head_valid_q || (head_first_i ? head_ready_i : job_done_o && !spill_job_i);
+  assign head_valid_o = head_valid_q;
+  assign {head_set, head_all, head_spills, head_kind, head_bucket} = head_q;
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) head_valid_q <= 1'b0;
+    else if (next_ready) head_valid_q <= next_valid;
+  end
+  always_ff @(posedge clk_i) if (next_ready) head_q <= next;
+
   assign head_o = {head_all, head_kind, head_bucket};
-  assign waits = head_valid_o && !head_spills;
+  assign waits  = head_valid_o && !head_spills;
 
   su_buckets u_buckets (
     .clk_i,
@@ -83,7 +96,8 @@ module su_release #(
     .insert_valid_i,
     .insert_ready_o,
     .insert_set_i(set_i),
-    .insert_bucket_i(bucket_i),
+    .insert_bucket_i,
+    .arrives_bucket_i(bucket_i),
     .insert_slot_i(slot_i),
     .job_valid_i(spill_job_i || waits),
     .job_done_o,
@@ -121,5 +135,15 @@ module su_release #(
   assign released_set_o = head_set;
   assign settled_o      = !waits && (marks == '0 || head_valid_o) && chains == '0;
   assign moves_o        = buckets_active || (chains != '0 && !chain_valid_o) || (marks != '0 && !head_valid_o);
+
+`ifndef SYNTHESIS
+  pipegs_stream_check #(.DataW($bits(head_o))) u_check_head (
+    .clk_i,
+    .rst_ni,
+    .valid_i(head_valid_o),
+    .ready_i(next_ready),
+    .beat_i(head_o)
+  );
+`endif
 
 endmodule

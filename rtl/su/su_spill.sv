@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// su_spill: brings a set that does not fit the pool to external memory, whole.
+// su_spill: brings a set that does not fit the pool to external memory, and what is left of it back.
 //
-// Idea    What was released before leaves first; then everything that the set has in the pool is released too, and what
-//         comes out of su_emit goes to memory instead of to the merge, which frees the slots. Records that come in
-//         meanwhile go to memory as well and first. Record n is line n of the area of records, its key part n % 8 of
-//         line n / 8 of the list of keys, which su_external sorts from the moment on at which the pool is empty. No
-//         record is kept here: it waits where it comes from until the port has it. The last key of a line comes from
-//         the record itself, which goes behind the line.
+// Idea    Everything that the set has in the pool is released, and what comes out of su_emit goes to memory instead of
+//         to the merge, which frees the slots. Records that come in meanwhile go to memory as well and first. Record n
+//         is line n of the area of records, its key part n % 8 of line n / 8 of the list of keys. No record is kept
+//         here: it waits where it comes from until the port has it. The last key of a line comes from the record
+//         itself, which goes behind the line. The next mark ends the spill: when what is before it was sent, what is
+//         left returns to the pool, or stays if it is more than a half of it: then the set goes on spilling.
 // Stream  in: records as they come; back: records out of the pool; record and keys: lines to write; count_o with the
-//         number of records and the range of their keys so far.
+//         number of records.
 // Pace    The port's: one record in two cycles, and one line of keys.
 // Model   Plumbing; the whole SU is tested against cpp_model/su/su.hpp.
 
@@ -16,16 +16,23 @@ module su_spill (
   input  logic                             clk_i,
   input  logic                             rst_ni,
 
-  input  logic                             start_i,
-  input  logic                             drained_i,     // nothing that was released is left inside
-  input  logic                             ended_i,       // the set's end has come
+  input  logic                             start_i,       // nothing that was released is left inside
+  input  logic                             drained_i,     // the same
+  input  logic                             ended_i,       // the mark that ends the spill has come
   output logic                             job_valid_o,   // release the whole set ...
   input  logic                             job_done_i,
   output logic                             divert_o,      // ... to memory
   output logic                             open_o,        // the pool is empty: all else goes to memory ...
   output logic [pipegs_pkg::SlotW-1:0]     listed_o,      // ... where so many whole lines of keys are
-  output logic                             closed_o,      // the whole set and all its keys
-  input  logic                             done_i,        // the set was sent
+  output logic                             closed_o,      // all that came before the mark, and all its keys
+  input  logic                             done_i,        // what is before the mark was sent, and the mark
+  input  logic                             mark_all_i,    // nothing can be left
+  input  logic [pipegs_pkg::SlotW-1:0]     rest_i,        // so many are left
+  output logic                             again_o,       // one cycle: some are; ...
+  output logic                             stay_o,        // ... they stay, and the set goes on spilling
+  output logic                             refill_o,      // they return to the pool ...
+  input  logic                             returned_i,    // ... where they are now
+  output logic                             end_o,         // one cycle: nothing of the set is in memory
 
   input  logic                             in_valid_i,
   output logic                             in_ready_o,
@@ -35,8 +42,6 @@ module su_spill (
   input  logic [pipegs_pkg::SplatBits-1:0] back_i,
 
   output logic [pipegs_pkg::SlotW-1:0]     count_o,
-  output logic [pipegs_pkg::KeyW-1:0]      min_o,
-  output logic [pipegs_pkg::KeyW-1:0]      max_o,
 
   output logic                             record_valid_o,
   input  logic                             record_ready_i,
@@ -58,11 +63,11 @@ module su_spill (
 
   typedef enum logic [2:0] {
     Idle,    // waits for start_i
-    Wait,    // until what was released before has left
     Release, // su_buckets releases the set
     Drain,   // until that lies in memory
-    Close,   // until the set has ended and all lines are written; writes the last line of keys
-    Send     // until the set was sent
+    Close,   // until the mark has come and all lines are written; writes the last line of keys
+    Send,    // until what is before the mark was sent
+    Refill   // until what is left is in the pool
   } state_e;
   state_e state_q;
 
@@ -85,21 +90,15 @@ module su_spill (
     .splat_i(record_o),
     .key_o(key)
   );
-  su_minmax u_minmax (
-    .clk_i,
-    .rst_ni,
-    .clear_i(start_i),
-    .valid_i(record_ready_i),
-    .key_i(key),
-    .min_o,
-    .max_o
-  );
-
   assign job_valid_o    = state_q == Release;
   assign divert_o       = state_q == Release || state_q == Drain;
-  assign open_o         = state_q == Close || state_q == Send;
+  assign open_o         = state_q == Close || closed_o;
   assign listed_o       = number_q >> PartW;
-  assign closed_o       = state_q == Send;
+  assign closed_o       = state_q == Send || state_q == Refill;
+  assign again_o        = pipegs_pkg::HasWatermarks && done_i && !mark_all_i && rest_i != '0;
+  assign stay_o         = again_o && rest_i > SlotW'(pipegs_pkg::SuRefill);
+  assign refill_o       = state_q == Refill;
+  assign end_o          = (done_i && !again_o) || returned_i;
   assign close          = state_q == Close && ended_i;
   assign all_written    = close && (keys_sent_q || part == '0);
   assign count_o        = number_q;
@@ -114,8 +113,7 @@ module su_spill (
     if (shown) keys_o[(KeysPerLine-1)*KeyPartW +: KeyW] = key;
   end
   assign active_o       = start_i || (from_back && !back_q) || record_ready_i || keys_ready_i ||
-                          (state_q == Wait && drained_i) || job_done_i || (state_q == Drain && drained_i) ||
-                          all_written || done_i;
+                          job_done_i || (state_q == Drain && drained_i) || all_written || done_i || returned_i;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
@@ -125,16 +123,16 @@ module su_spill (
       keys_sent_q <= 1'b0;
     end else begin
       unique case (state_q)
-        Idle:    if (start_i) state_q <= Wait;
-        Wait:    if (drained_i) state_q <= Release;
+        Idle:    if (start_i) state_q <= Release;
         Release: if (job_done_i) state_q <= Drain;
         Drain:   if (drained_i) state_q <= Close;
         Close:   if (all_written) state_q <= Send;
-        default: if (done_i) state_q <= Idle;
+        Send:    if (done_i) state_q <= stay_o ? Close : again_o ? Refill : Idle;
+        default: if (returned_i) state_q <= Idle;
       endcase
       back_q <= from_back && !record_ready_i;
       if (keys_ready_i) keys_sent_q <= 1'b1;
-      if (start_i || record_ready_i) keys_sent_q <= 1'b0;
+      if (start_i || stay_o || record_ready_i) keys_sent_q <= 1'b0;
       if (start_i) number_q <= '0;
       else if (record_ready_i) number_q <= number_q + 1'b1;
     end
@@ -147,7 +145,8 @@ module su_spill (
   always_ff @(posedge clk_i) if (rst_ni) assert (!keys_ready_i || keys_valid_o);
   always_ff @(posedge clk_i) if (rst_ni) assert (!back_q || from_back);
   always_ff @(posedge clk_i) if (rst_ni) assert (!close || !shown);
-  always_ff @(posedge clk_i) if (rst_ni) assert (!start_i || state_q == Idle);
+  always_ff @(posedge clk_i) if (rst_ni) assert (!start_i || (state_q == Idle && drained_i));
+  always_ff @(posedge clk_i) if (rst_ni) assert (!done_i || state_q == Send);
   pipegs_stream_check #(.DataW($bits({keys_line_o, keys_o}))) u_check_keys (
     .clk_i,
     .rst_ni,

@@ -3,7 +3,8 @@
 //
 // Paper   Sec. 4.2.2 (the sorter's buffers).
 // Idea    Three memories of Records words. The splitter never waits for a link: buckets link when it does not claim the
-//         port. Keys of a set that spilled are a chain from the last slot to the first; nobody else is there then.
+//         port. Keys of a set that spilled are a chain from the last slot to the first, with the numbers of their
+//         records in place of these; nobody else is there then.
 // Stream  writes of a collected record, of a key that comes back, of a link; reads of key and link, and of the
 //         rest.
 // Pace    One access of each kind per cycle, data one cycle later.
@@ -12,6 +13,7 @@
 module su_stores #(
   localparam int unsigned KeyW     = pipegs_pkg::KeyW,
   localparam int unsigned RecordW  = pipegs_pkg::RecordW,
+  localparam int unsigned NumberW  = pipegs_pkg::SlotW,
   localparam int unsigned PayloadW = pipegs_pkg::SplatBits - pipegs_pkg::KindW - KeyW  // without IndexTies with index
 ) (
   input  logic                clk_i,
@@ -70,15 +72,15 @@ module su_stores #(
   );
   pipegs_sram #(.DataW(PayloadW), .Depth(pipegs_pkg::Records)) u_records (
     .clk_i,
-    .write_i,
-    .waddr_i(slot_i),
-    .wdata_i(payload),
+    .write_i(external_i.write || write_i),
+    .waddr_i(external_i.write ? external_i.slot : slot_i),
+    .wdata_i({payload[PayloadW-1:NumberW], external_i.write ? external_i.number : payload[NumberW-1:0]}),
     .read_i(payload_read_i),
     .raddr_i(payload_slot_i),
     .rdata_o(payload_o)
   );
 
-  logic unused;  // the kind, and the number of a key that comes back
+  logic unused;  // the kind
   assign unused = &{1'b0, record_i, external_i};
 
 endmodule

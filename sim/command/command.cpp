@@ -89,10 +89,17 @@ void ViewArguments::add(CLI::App& app, DesignPoints which) {
   }
   add_file(app);
   if (which != DesignPoints::kBase) add_settings(app);
+  add_read(
+      app, "--walk-most",
+      "a window of `fast` with more Gaussians at about one depth is walked part by part, 0: none is; the "
+      "picture is the same",
+      "INT", [this](const std::string& text) { walk_most = parse_integer<uint64_t>(text, 0, (uint64_t{1} << 24) - 1); },
+      [] { return fmt::to_string(SimulateOptions{}.walk_most); })
+      .shows_default();
   add_real(app, "--near", near_plane, "near plane, scene units", kPositive).shows_default();
 }
 
-SimulateOptions ViewArguments::options(const DesignPoint& on) const {
+SimulateOptions ViewArguments::on(const DesignPoint& other) const {
   const auto leave_alone = [](const std::string& place, const std::string& setting) {
     const std::string key = setting.substr(0, setting.find('='));
     if (key == "late" || key == "order" || key == "quadratic")
@@ -103,14 +110,29 @@ SimulateOptions ViewArguments::options(const DesignPoint& on) const {
   }
   for (const std::string& setting : settings) leave_alone("--set", setting);
   ViewArguments same = *this;
-  same.design_point = on.name;
-  return same.options();
+  same.design_point = other.name;
+  return same.one_of_several();
 }
 
 SimulateOptions ViewArguments::options() const {
+  const SimulateOptions options = one_of_several();
+  check_walks({options});
+  return options;
+}
+
+void ViewArguments::check_walks(const std::vector<SimulateOptions>& machines) const {
+  const auto walks = [](const SimulateOptions& one) { return one.config.has_walks(); };
+  if (walk_most && std::none_of(machines.begin(), machines.end(), walks))
+    throw ConfigError(
+        "--walk-most: found no machine that walks windows part by part, expected one with order=2 and "
+        "windows of 128 pixels, such as `fast`");
+}
+
+SimulateOptions ViewArguments::one_of_several() const {
   SimulateOptions options;
   options.config = machine();
   if (!window.empty()) options.window = {window.at(0), window.at(1)};
+  options.walk_most = walk_most.value_or(options.walk_most);
   options.near_plane = near_plane;
   return options;
 }
@@ -118,7 +140,7 @@ SimulateOptions ViewArguments::options() const {
 std::vector<SimulateOptions> ViewArguments::paper_and_own() const {
   ViewArguments paper = *this;
   paper.design_point = "dop", paper.config.clear(), paper.settings.clear();
-  std::vector<SimulateOptions> both = {paper.options(), options()};
+  std::vector<SimulateOptions> both = {paper.one_of_several(), options()};
   if (both[0].config == both[1].config) both.pop_back();
   return both;
 }
@@ -130,13 +152,14 @@ std::vector<SimulateOptions> ViewArguments::each() const {
 std::vector<SimulateOptions> ViewArguments::options(const std::vector<const DesignPoint*>& several) const {
   std::vector<SimulateOptions> each;
   for (const DesignPoint* one : several) {
-    each.push_back(options(*one));
+    each.push_back(on(*one));
     const int first = each.front().config.window, side = each.back().config.window;
     if (!window.empty() && side != first) {
       throw ConfigError(fmt::format("--window: found design points with windows of {} and {} pixels, expected one size",
                                     first, side));
     }
   }
+  check_walks(each);
   return each;
 }
 

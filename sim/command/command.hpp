@@ -72,17 +72,23 @@ struct ViewArguments : MachineArguments {
   int view = 0;
   std::vector<int> window;
   std::vector<std::string> design_points;
+  std::optional<uint64_t> walk_most = {};  // where it is given
   double near_plane = 0.2;
 
   void add(CLI::App& app, DesignPoints which = DesignPoints::kOne);
-  SimulateOptions options() const;
-  // The same on another design point; the settings must leave alone what makes one.
-  SimulateOptions options(const DesignPoint& design_point) const;
-  // Of several; with --window their windows must be of one size.
+  SimulateOptions options() const;  // ConfigError where --walk-most is given and no machine has walks, as all below
+  // For who has several of one kind or another: without that check, and the check.
+  SimulateOptions one_of_several() const;
+  void check_walks(const std::vector<SimulateOptions>& machines) const;
+  // On other design points; the settings must leave alone what makes one, and with --window their windows must be of
+  // one size.
   std::vector<SimulateOptions> options(const std::vector<const DesignPoint*>& several) const;
   std::vector<SimulateOptions> each() const;  // of --designs, or the one of --design
   // The paper's machine, `dop` as it is, and behind it that of --design, --config and --set where it is another one.
   std::vector<SimulateOptions> paper_and_own() const;
+
+ private:
+  SimulateOptions on(const DesignPoint& design_point) const;
 };
 
 // External memory and seed, for the subcommands that run the RTL.

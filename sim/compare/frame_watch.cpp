@@ -73,7 +73,7 @@ void FrameWatch::on_sorted(const uint32_t* words) {
     // An end leaves the merge when it has come out of every SU, so it has come into every one.
     uint64_t came = cycle_;
     for (bool found = false; !found && !splat_ends_[unit].empty(); splat_ends_[unit].pop_front()) {
-      found = splat_ends_[unit].front().kind == kind;  // watermarks before it stay in the SU
+      found = splat_ends_[unit].front().kind == kind;  // watermarks and ends of parts before it stay in the merge
       came = splat_ends_[unit].front().cycle;
     }
     layer(UnitKind::kSu, unit, sorted_.place, std::min(std::max(came + 1, sorted_.next), cycle_), cycle_);

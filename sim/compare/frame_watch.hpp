@@ -6,8 +6,9 @@
 //           PU k    ... when its end beat goes to SU k
 //           SU      ... when the end beat leaves the merge; a layer is sorted from the moment its end beat has come in
 //           RU k    ... when its last line is blended
-//         With Order 2 the ends of layers are watermarks, which do not leave the merge: behind it a window is one
-//         layer. With Order 1 the frame is one layer of the DOPU and the PUs, and each window one of SUs and RUs.
+//         With Order 2 the ends of layers are watermarks, and ends of parts count with them; neither leaves the merge:
+//         behind it a window is one layer. With Order 1 the frame is one layer of the DOPU and the PUs, and each window
+//         one of SUs and RUs.
 //         Whoever wants to know derives from FrameWatch and fills in the hooks.
 // Units   Cycles as the performance counters count them. `window` is an ordinal: row by row of the frame.
 #pragma once

@@ -36,7 +36,8 @@ RequestCheck::RequestCheck(const GoldenInput& input, const Areas& areas) {
     if (stream == "alpha_overflow_write") port.writes = alphas(tag);
     if (stream == "sort_overflow") {
       const int unit = tag - config.units;
-      port.reads = port.writes = {part(unit, Area::kKeys), part(unit, Area::kRuns), part(unit, Area::kRecords)};
+      port.reads = port.writes = {part(unit, Area::kKeys), part(unit, Area::kMerged), part(unit, Area::kRuns),
+                                  part(unit, Area::kRecords)};
     }
     if (stream == "raster") port.writes = {picture}, port.reads = all_alphas;  // of every PU
     if (stream == "lists") port.reads = port.writes = {part(0, Area::kLists)};

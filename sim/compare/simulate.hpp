@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "cpp_model/driver/pipegs_frame.h"
 #include "cpp_model/float/projection.hpp"
 #include "cpp_model/golden.hpp"
 #include "scenes/camera.hpp"
@@ -29,6 +30,7 @@ struct SimulateOptions {
   std::optional<std::array<int, 2>> window;  // column and row of the only window to simulate
   std::optional<PixelRect> crop;             // instead of `window`: only the windows of these pixels, and of them these
   double near_plane = 0.2;                   // scene units
+  uint64_t walk_most = PIPEGS_WALK_MOST;     // Frame::walk_most, of machines that have it
   bool raster = false;                       // pixels in raster order, RGBA8; else by windows
   std::optional<std::array<int, 2>> watch;   // pixel whose blending the RTL shall show
   RtlTaps* taps = nullptr;                   // sees what the RTL shows, beside the comparison

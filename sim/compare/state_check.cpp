@@ -105,12 +105,8 @@ void StateCheck::judge_dopu() {
     allowed &= ~kS;
   } else {
     if (judged.border[kChunkRoom] != 0) allowed &= ~kK;
-    // Nearest first, the levels of nodes read nothing ahead, unless what comes first is held up by an SU: by one that
-    // takes no splat, or that spills and takes no watermark either.
-    bool held = false;
-    for (int k = 0; k < config_.units; ++k)
-      held = held || spills_[static_cast<size_t>(k)] || (judged.at(kSplatShows, k) && !judged.at(kSplatReady, k));
-    if (config_.has_watermarks() && without_nodes_ == 0 && !loading_ && !held) allowed &= ~kS;
+    // Nearest first, what holds up nodes on their way is a chunk that is made, or finds no room.
+    if (config_.has_watermarks() && without_nodes_ == 0 && !loading_) allowed &= ~kS;
   }
   if (without_nodes_ > kArrival) allowed &= ~kM;
   if (!judged.at(kDopuBusy, 0)) allowed = kS;
@@ -133,8 +129,9 @@ void StateCheck::judge_pu(int k) {
   if (pu.geometry.lines > 0 && pu.since > kArrival) allowed &= ~kS;
   if (!inside) pu.first = true, pu.passing = 0;
   if (pu.first) allowed = !inside ? kS : pu.geometry.lines > 0 ? kM : kM | kS;
-  // The end of the layer before may be left, which waits for older ones to leave the stores, and then goes its way.
-  if (pu.first && config_.has_stores()) allowed = inside ? kAny : kS | kK;
+  // The end of the layer before may be left, which waits for older ones to leave the stores, and then goes its way; and
+  // its last line of alphas, on its way to the memory.
+  if (pu.first && config_.has_stores()) allowed = inside ? kAny : config_.spills_alphas() ? kS | kK | kM : kS | kK;
   if (pu.passing > 0 || judged.at(kCulledShows, k)) allowed = kB | kK;
   if (judged.at(kSplatShows, k) && !judged.at(kSplatReady, k)) allowed = config_.caches_alphas() ? kB | kK : kK;
   expect(judged, 1, k, allowed);

@@ -2,11 +2,12 @@
 // state_check.hpp: holds what each unit says that it does against what stands at its borders, cycle by cycle.
 //
 // Idea    A unit's state comes from its inside, but much of it shows outside, too. What the borders leave open:
-//           DOPU    busy in the cycle before a chunk shows at a PU; not starved while one does; waits for memory only
-//                   while lines are to come; starved without a frame
-//           PU      starved when nothing is inside, or blocked by the end of a layer that waits for older ones; blocked
-//                   while the SU takes nothing; waits for memory when all that it has is on its way; busy, or blocked,
-//                   as long as what the cull lets through needs at least
+//           DOPU    busy in the cycle before a chunk shows at a PU; not starved while one does, or, nearest first,
+//                   while lines are to come; waits for memory only while they are; starved without a frame
+//           PU      starved when nothing is inside, or blocked by the end of a layer that waits for older ones, or for
+//                   memory with a line of alphas that leaves; blocked while the SU takes nothing; waits for memory
+//                   when all that it has is on its way; busy, or blocked, as long as what the cull lets through needs
+//                   at least
 //           SU      busy when it needs its clock for more than to take a splat; else blocked while its splat is not
 //                   taken, else starved
 //           RU      busy when a word of pixels begins, a line of them leaves, a layer ends, and in no more cycles than

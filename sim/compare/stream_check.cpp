@@ -9,6 +9,12 @@
 #include <bit>
 #include <tuple>
 
+#include "cpp_model/dopu/dopu_origin.hpp"
+#include "cpp_model/pu/conic/pu_coeff.hpp"
+#include "cpp_model/pu/conic/pu_intersect.hpp"
+#include "cpp_model/pu/front/pu_cull.hpp"
+#include "cpp_model/pu/front/pu_reach.hpp"
+#include "cpp_model/pu/pu_parts.hpp"
 #include "cpp_model/ru/ru_walk.hpp"
 
 namespace pipegs {
@@ -120,7 +126,7 @@ StreamCheck::Window& StreamCheck::window(uint64_t ordinal) {
   const uint64_t x = input_.frame.raster.windows.first_x + ordinal % windows_x_,
                  y = input_.frame.raster.windows.first_y + ordinal / windows_x_;
   window.golden = golden_window(input_, x, y);
-  if (!config_.has_lists()) window.chunks.emplace(input_, x, y);
+  if (!config_.has_lists()) window.chunks.emplace(input_, x, y, window.golden.walks);
   for (const GoldenLayer& layer : window.golden.layers) {
     auto& by_name = window.by_name.emplace_back();
     for (const GoldenSplat& splat : layer.splats) by_name.emplace(name_of(splat.splat.index, splat.splat.part), &splat);
@@ -131,6 +137,7 @@ StreamCheck::Window& StreamCheck::window(uint64_t ordinal) {
   }
   window.lines.resize(window.live.size());
   window.next.resize(window.live.size());
+  window.shown.resize(window.live.size());
   for (const GoldenLayer& layer : window.golden.layers) {
     for (const GoldenSplat& golden : layer.splats) {
       for (uint64_t rest = golden.splat.mask; rest != 0; rest &= rest - 1) {
@@ -184,21 +191,88 @@ void StreamCheck::expect_line(uint64_t ordinal, int lane, size_t region, size_t 
   skip_to(ordinal, region, quad, static_cast<size_t>(found - lines.begin()),
           fmt::format("before Gaussian {}", shown.splat.index));
   ++next;
+  size_t& last = now.shown[region];
+  last = std::max(last, next);
 }
 
 // A chunk that has not come, though the PUs had use for it.
-void StreamCheck::expect_chunks(uint64_t ordinal, const ChunkSet& chunks) {
-  if (const std::optional<uint64_t> slot = chunks.missing())
+void StreamCheck::expect_chunks(uint64_t ordinal, const ChunkSet& chunks,
+                                const std::function<bool(const Chunk& chunk)>& needed) {
+  if (const std::optional<uint64_t> slot = chunks.missing(needed))
     fail(ordinal, {.tap = Tap::kChunk, .gaussian = input_.packed->gaussians[*slot].index}, "its chunk", "it missing");
 }
 
+// With Occlusion: whether each region of a Gaussian was done when its line there was due, so that it may be missing
+// from the walk: done in the golden window too, and nothing behind that line has been blended.
+bool StreamCheck::closed_before(const Window& window, uint64_t index, uint64_t walk) const {
+  for (const auto& by_name : window.by_name) {
+    for (uint64_t part = 0; part < static_cast<uint64_t>(config_.parts()); ++part) {
+      const auto found = by_name.find(name_of(index, part));
+      if (found == by_name.end() || !walk_has(config_, walk, part)) continue;
+      if ((found->second->splat.mask & ~window.done.mask[part]) != 0) return false;
+      for (uint64_t rest = found->second->splat.mask; rest != 0; rest &= rest - 1) {
+        const auto region = static_cast<size_t>(region_number(config_, part, std::countr_zero(rest)));
+        const std::vector<Line>& lines = window.lines[region];
+        // With Occlusion all are of one layer, whose splats lie in their order.
+        const auto line = std::lower_bound(lines.begin(), lines.end(), found->second,
+                                           [](const Line& one, const GoldenSplat* splat) { return one.splat < splat; });
+        if (static_cast<size_t>(line - lines.begin()) < window.shown[region]) return false;
+      }
+    }
+  }
+  return true;
+}
+
+// Whether the Gaussian in this slot of a chunk has a region in the chunk's walk.
+bool StreamCheck::has_region(const Chunk& chunk, uint64_t slot) const {
+  const Frame& frame = input_.frame;
+  Gap gap;
+  const std::optional<Visible> visible =
+      pu_cull(config_, frame, golden_fetched(chunk, input_.packed->gaussians[slot], slot), nullptr, &gap);
+  if (!visible || (config_.tight_cull && !pu_reach(config_, frame, *visible, gap))) return false;
+  const std::vector<PuPart> parts = pu_parts(config_, golden_conic(config_, frame, *visible).conic, chunk.walk);
+  return std::any_of(parts.begin(), parts.end(), [&](const PuPart& one) {
+    return pu_intersect(config_, frame, pu_coeff(config_, frame, one.conic)).mask != 0;
+  });
+}
+
+// With Occlusion: a chunk of the scene that the planes of a whole walk of the window do not let pass. None of its
+// Gaussians has a region there; the cull, which knows spheres and one axis of ellipses, may keep some.
+const Chunk* StreamCheck::beside(uint64_t ordinal, ChunkSet& chunks, const Chunk& found) {
+  if (!config_.occlusion) return nullptr;
+  const std::vector<uint64_t>& walks = window(ordinal).golden.walks;
+  if (std::find(walks.begin(), walks.end(), found.walk) == walks.end()) return nullptr;
+  const std::vector<Node>& nodes = input_.packed->chunks;
+  const auto node = std::find_if(nodes.begin(), nodes.end(), [&](const Node& one) { return one.first == found.slot; });
+  if (node == nodes.end()) return nullptr;
+  const auto& windows = input_.frame.raster.windows;
+  Chunk chunk = dopu_origin(config_, input_.frame, *node, static_cast<int>(windows.first_x + ordinal % windows_x_),
+                            static_cast<int>(windows.first_y + ordinal / windows_x_));
+  chunk.walk = found.walk;
+  for (uint64_t slot = chunk.slot; slot < chunk.slot + chunk.count; ++slot) {
+    if (has_region(chunk, slot)) return nullptr;
+  }
+  chunks.add(chunk);
+  return chunks.find(found);
+}
+
 // A window that every stream has left: no line is missing, and what was blended is the golden window. Where something
-// of it was open to the end all of its chunks have come.
+// that a walk covers was open to the end all of its chunks have come.
 void StreamCheck::expect_all(uint64_t ordinal) {
   const Window& now = window(ordinal);
-  const auto& regions = now.golden.regions;
-  const bool open = std::any_of(regions.begin(), regions.end(), [](const RegionState& one) { return !one.all_done(); });
-  if (now.chunks && open) expect_chunks(ordinal, *now.chunks);
+  const auto open = [&](const Chunk& chunk) {
+    bool some = false;
+    for (int r = 0; r < config_.regions(); ++r) {
+      some = some || (walk_has(config_, chunk.walk, static_cast<uint64_t>(region_part(config_, r))) &&
+                      !now.done.has(config_, r));
+    }
+    if (!some || !config_.occlusion) return some;
+    for (uint64_t k = 0; k < chunk.count; ++k) {
+      if (!closed_before(now, input_.packed->gaussians[chunk.slot + k].index, chunk.walk)) return true;
+    }
+    return false;
+  };
+  if (now.chunks) expect_chunks(ordinal, *now.chunks, open);
   for (size_t region = 0; region < now.live.size(); ++region) {
     for (size_t quad = 0; quad < (config_.quads ? kQuads : 1); ++quad)
       skip_to(ordinal, region, quad, now.lines[region].size(), "at the window's end");
@@ -263,7 +337,8 @@ std::array<int, 2> StreamCheck::pixel_at(uint64_t window, int region, int pixel)
 }
 
 void StreamCheck::end(Place& place, uint64_t kind) {
-  place.next = 0;
+  if (kind == kPartEnd) return static_cast<void>(++place.walk);
+  place.next = place.walk = 0;
   ++place.layer;
   if (kind != kWindowEnd) return;
   place.layer = 0;
@@ -293,6 +368,14 @@ void StreamCheck::expect_end(const Place& place, uint64_t kind, Mismatch where) 
   }
 }
 
+// Every walk of a window ends, the last one with the window.
+void StreamCheck::expect_walk(const Place& place, uint64_t kind, const Mismatch& where) {
+  const size_t walks = walks_of(window(place.window));
+  if (kind == kLayerEnd || (kind == kWindowEnd) == (place.walk + 1 == walks)) return;
+  fail(place.window, where, fmt::format("the end of walk {} of {}", place.walk + 1, walks),
+       kind == kPartEnd ? "the end of a part" : "the end of the window");
+}
+
 // The ends of layers depend on timing, or are those of the splats.
 void StreamCheck::on_chunk(int unit, int kind, const uint32_t* words) {
   uint64_t& ordinal = chunk_window_[static_cast<size_t>(unit)];
@@ -306,10 +389,11 @@ void StreamCheck::on_chunk(int unit, int kind, const uint32_t* words) {
     listed_.emplace(input_, input_.frame.raster.windows.first_x, input_.frame.raster.windows.first_y);
   ChunkSet& chunks = config_.has_lists() ? *listed_ : *window(ordinal).chunks;
   Mismatch where{.tap = Tap::kChunk, .unit = unit};
-  const Chunk* expected = chunks.find(chunk.slot);
+  const Chunk* expected = chunks.find(chunk);
+  if (expected == nullptr) expected = beside(ordinal, chunks, chunk);
   if (expected == nullptr) return fail(ordinal, where, "none", to_text(config_, chunk));
   where.gaussian = input_.packed->gaussians[chunk.slot].index;
-  if (!chunks.take(chunk.slot)) return fail(ordinal, where, "its chunk once", "it again");
+  if (!chunks.take(chunk)) return fail(ordinal, where, "its chunk once", "it again");
   if (differ(config_, *expected, chunk, where)) fail(ordinal, where);
 }
 
@@ -322,7 +406,8 @@ void StreamCheck::on_splat(int unit, const uint32_t* words) {
   if (splat.kind == kLayerEnd && config_.has_watermarks()) return on_mark(unit, place, splat);
   if (splat.kind != kData) {
     if (config_.has_watermarks()) marks_[static_cast<size_t>(unit)] = 0;
-    expect_end(place, splat.kind, where);
+    expect_walk(place, splat.kind, where);
+    if (splat.kind != kPartEnd) expect_end(place, splat.kind, where);
     return end(place, splat.kind);
   }
   where.gaussian = splat.index, where.layer = place.layer;
@@ -330,6 +415,12 @@ void StreamCheck::on_splat(int unit, const uint32_t* words) {
   const auto found = now.by_name[place.layer].find(name_of(splat.index, splat.part));
   if (found == now.by_name[place.layer].end()) return fail(place.window, where, "none", to_text(config_, splat));
   const Splat& expected = found->second->splat;
+  if (place.walk >= walks_of(now)) return fail(place.window, where, "the end of the window", "a splat");
+  if (now.golden.in_parts() && splat.part != walk_part(config_, now.golden.walks[place.walk])) {
+    where.field = "part";
+    return fail(place.window, where, fmt::to_string(walk_part(config_, now.golden.walks[place.walk])),
+                fmt::to_string(splat.part));
+  }
   const uint64_t mark = marks_[static_cast<size_t>(unit)];
   if (config_.has_watermarks() && splat.depth < mark) {
     where.field = "depth";
@@ -349,7 +440,7 @@ void StreamCheck::expect_mask(const Place& place, const Mismatch& where, const S
        fmt::format("{:016x}", found));
 }
 
-// A watermark: it may only rise, and no later splat of the window lies below it.
+// A watermark: it may only rise, and no later splat of the walk lies below it.
 void StreamCheck::on_mark(int unit, const Place& place, const Splat& mark) {
   uint64_t& last = marks_[static_cast<size_t>(unit)];
   if (mark.depth < last) {
@@ -379,6 +470,7 @@ void StreamCheck::on_sorted(const uint32_t* words) {
       }
     }
   };
+  if (sorted.kind == kPartEnd) return fail(place.window, where, "the end of the window alone", "the end of a part");
   if (sorted.kind != kData) {
     skip_done([](const GoldenSplat&) { return false; });
     expect_end(place, sorted.kind, where);
@@ -486,7 +578,7 @@ void StreamCheck::finish() {
   if (!sorted_over())
     fail(sorted_place_.window, {.tap = Tap::kSorted}, come(frame_windows(input_.frame)), come(sorted_place_.window));
   for (const auto& [ordinal, window] : open_) expect_all(ordinal);
-  if (listed_) expect_chunks(0, *listed_);
+  if (listed_) expect_chunks(0, *listed_, [](const Chunk&) { return true; });
   open_.clear();
 }
 

@@ -3,9 +3,10 @@
 //
 // Idea    The golden window is computed when the RTL first shows something of it and dropped when it has left it.
 //           DOPU -> PU    every chunk equals the one of the bit-accurate model and comes once; all come unless the
-//                         whole window is done
-//           PU -> SU      (with lists: list -> SU) every splat equals the golden one; regions may be missing only
-//                         where the window is done there
+//                         whole walk is done, or with Occlusion every region of each of its Gaussians was done before
+//                         that one's turn
+//           PU -> SU      (with lists: list -> SU) every splat equals the golden one and comes in a walk of its part;
+//                         regions may be missing only where the window is done there; every walk ends
 //           merge -> RU   the order equals the golden order, layer by layer
 //           alphas        the line (or quad) that an RU starts to blend equals the golden codes of that Gaussian there;
 //                         each line of the sorted stream comes once, in its order
@@ -15,6 +16,7 @@
 // Result  The number of mismatches, and the first one: stream, unit, cycle, Gaussian, pixel, field, both values.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <deque>
 #include <optional>
@@ -102,12 +104,14 @@ class StreamCheck final : public RtlTaps {
     RegionSet done;                                                         // regions done at the end
     std::vector<RegionState> live;                                          // blended line by line as the RTL does
     std::vector<std::vector<Line>> lines;                                   // of each region, in their order
+    std::vector<size_t> shown;                     // of each region: one more than the last line that an RU has shown
     std::vector<std::array<size_t, kQuads>> next;  // of each region and quad (of a whole region the first): next line
   };
   // Where a stream is in the frame.
   struct Place {
     uint64_t window = 0;  // ordinal in the frame
     size_t layer = 0;
+    size_t walk = 0;  // walks of the window that have ended, for the streams of splats
     size_t next = 0;  // next splat, for the sorted stream
   };
   struct Pending {  // alphas being blended by a lane of taps, until their words have been written back
@@ -125,13 +129,18 @@ class StreamCheck final : public RtlTaps {
   bool changes(const Window& window, int region, int quad, const Line& line) const;
   void skip_to(uint64_t ordinal, size_t region, size_t quad, size_t end, const std::string& seen);
   void expect_line(uint64_t ordinal, int lane, size_t region, size_t quad, const GoldenSplat& shown);
-  void expect_chunks(uint64_t ordinal, const ChunkSet& chunks);
+  void expect_chunks(uint64_t ordinal, const ChunkSet& chunks, const std::function<bool(const Chunk& chunk)>& needed);
+  bool closed_before(const Window& window, uint64_t index, uint64_t walk) const;
+  bool has_region(const Chunk& chunk, uint64_t slot) const;
+  const Chunk* beside(uint64_t ordinal, ChunkSet& chunks, const Chunk& found);
   void expect_all(uint64_t ordinal);
   // Regions of a splat that the stream before the RUs may leave out. Lists are made before anything is done: they are
   // complete.
   uint64_t may_miss(const Window& window, const Splat& splat) const {
     return config_.has_lists() ? 0 : window.done.mask[splat.part];
   }
+  // With layers and with lists a window has one, too.
+  static size_t walks_of(const Window& window) { return std::max<size_t>(window.golden.walks.size(), 1); }
   void release();
   void fail(uint64_t window, Mismatch mismatch);
   void fail(uint64_t window, Mismatch mismatch, std::string expected, std::string found = "");
@@ -140,6 +149,7 @@ class StreamCheck final : public RtlTaps {
   void on_mark(int unit, const Place& place, const Splat& mark);
   int unit_of(int lane) const { return lane / config_.tap_lanes(); }
   std::array<int, 2> pixel_at(uint64_t window, int region, int pixel) const;  // of the image
+  void expect_walk(const Place& place, uint64_t kind, const Mismatch& where);
   void expect_end(const Place& place, uint64_t kind, Mismatch where);
 
   GoldenInput input_;

@@ -37,7 +37,6 @@ void add_buffers(const Config& c, StaticCost& cost) {
   const int stack = c.records / 8 + c.key_w() / 4 + 2;  // groups that may wait
   if (c.large_groups)
     add("SU u_split.u_stack", "sorter", 2 * c.record_w() + 1 + clog2(c.key_w()), power_of_two(stack + 1), units);
-  if (c.overflow) add("SU u_emit.u_numbers", "overflow", c.slot_w(), c.records, units);
   add("SU u_emit.u_waiting", "sorter", c.kind_w() + 1 + c.record_w() + c.key_w(), c.su_waiting(), units);
   if (c.overflow) {
     const int ways = c.su_ways(), line = clog2(c.su_way_lines());
@@ -79,7 +78,12 @@ void add_buffers(const Config& c, StaticCost& cost) {
     if (c.spills_alphas()) add("RU u_fetch.u_external", "overflow", c.line_w(), c.fetch_lines, units);
     add("RU u_fetch.u_records", "queues", record_width<Blend>(c), c.ru_records(), units);
   }
-  add("RU u_queue", "queues", record_width<Sorted>(c), c.ru_queue(), units);
+  const int others = c.quads ? c.mask_w() - c.mask_w() / units : 0;  // of the mask, regions of other RUs
+  add("RU u_queue", "queues", record_width<Sorted>(c) - others, c.ru_queue(), units);
+  if (c.quads) {  // a half: two quads of a group, which of them live, which half of which region, colour
+    const int half = 2 + 8 * record_width<Exponent>(c) + 1 + c.region_w() + 3 * c.color_w + c.tap_index_w();
+    add("RU u_quads.u_queue", "queues", half, Config::ru_halves(), units * Config::ru_groups());
+  }
 
   add("DOPU readers u_lines", "scene", memory, c.node_lines(), 2);
   const int cell_bits = 3 * (c.grid > 1 ? clog2(c.grid) : 1);
@@ -92,6 +96,9 @@ void add_buffers(const Config& c, StaticCost& cost) {
     add("DOPU u_nearest.u_bucket.u_nodes", "scene", c.count_w() + c.slot_w() + 3 * c.world_w + c.exp_w() + number + 1,
         nodes, 1);
     add("DOPU u_nearest.u_bucket.u_back", "scene", number, nodes, 1);
+    if (c.has_walks()) {  // chunks of half as many groups as places, four buckets in a word
+      add("DOPU u_load.u_sums", "scene", 4 * clog2((nodes / 2 + 1) * c.group + 1), 1 << (c.load_w() - 2), 2);
+    }
   }
 }
 

@@ -141,7 +141,7 @@ Verdict detect_overflow(const EffectFacts& facts) {
           fmt::format("timing model: {}, {} lines overflow", stores, facts.timing->overflow_lines)};
 }
 
-// A chain of the SU is a bucket of depth, or what it selects from records in memory.
+// A chain of the SU is a bucket of depth, or a run of a set in memory.
 Verdict detect_large_groups(const EffectFacts& facts) {
   const uint64_t most = facts.called().bucket;
   if (most > 16) return {true, fmt::format("a bucket of depth holds {} keys", most)};

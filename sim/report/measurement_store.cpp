@@ -53,14 +53,10 @@ MeasurementStore::MeasurementStore(std::filesystem::path folder, const Scene& sc
                                    const SimulateOptions& options, const Json& more)
     : folder_(std::move(folder)) {
   const ExternalMemoryOptions& m = options.memory;
-  view_ = {{"measured_by", kMeasuredBy},
-           {"scene", valid_utf8(scene.name)},
-           {"gaussians", scene.gaussians.size()},
-           {"contents", contents(scene)},
-           {"camera", {camera.width, camera.height}},
-           {"pose", pose_of(camera)},
-           {"near", options.near_plane},
-           {"memory", m.dram}};
+  view_ = {
+      {"measured_by", kMeasuredBy},  {"scene", valid_utf8(scene.name)},         {"gaussians", scene.gaussians.size()},
+      {"contents", contents(scene)}, {"camera", {camera.width, camera.height}}, {"pose", pose_of(camera)},
+      {"near", options.near_plane},  {"walk_most", options.walk_most},          {"memory", m.dram}};
   if (m.dram == "ideal") view_["ideal"] = {m.latency, m.bytes_per_cycle, m.jitter, m.seed};
   if (options.window) view_["window"] = *options.window;
   if (options.crop) view_["crop"] = {options.crop->x0, options.crop->y0, options.crop->x1, options.crop->y1};

@@ -2,10 +2,10 @@
 // measurement_store.hpp: what was measured of configurations of one view, one JSON file each, so that it is measured
 // once.
 //
-// Idea    A file holds what it was measured of (the key: scene, camera, memory, every entry of the configuration, the
-//         sources of the models, and what else the measurement depends on) beside what was measured. One that is broken
-//         (json.hpp's rules), of another key, or refused by who reads it (NumberError, a field that is not there) is as
-//         good as none: its configuration is measured again.
+// Idea    A file holds what it was measured of (the key: scene, camera, walk_most, memory, every entry of the
+//         configuration, the sources of the models, and what else the measurement depends on) beside what was measured.
+//         One that is broken (json.hpp's rules), of another key, or refused by who reads it (NumberError, a field that
+//         is not there) is as good as none: its configuration is measured again.
 // Rule    A file appears when it is complete, never before.
 #pragma once
 

@@ -37,6 +37,17 @@ MemoryBytes total_bytes(const Simulation& simulation) {
   return bytes;
 }
 
+// Gaussians of the frame that are fetched. Behind what is opaque as many are left out as time has it (occlusion): then
+// no more than came over the pins.
+uint64_t fetched(const Simulation& simulation, const Config& config) {
+  uint64_t most = simulation.golden.work.fetched;
+  for (const MemoryTraffic& traffic : simulation.traffic) {
+    if (config.occlusion && traffic.stream == "geometry" && traffic.bytes_read != 0)
+      most = std::min<uint64_t>(most, traffic.bytes_read * 8 / config.memory_w() * config.gaussians_per_line());
+  }
+  return most;
+}
+
 }  // namespace
 
 Json traffic_json(const std::vector<MemoryTraffic>& streams) {
@@ -78,7 +89,7 @@ Bounds work_bounds(const Simulation& simulation, const SimulateOptions& options)
     bounds.ru = static_cast<double>(work.open_regions) * 4 / units;
   }
   bounds.su = static_cast<double>(work.keys) / units;
-  bounds.cull = static_cast<double>(work.fetched) / units;
+  bounds.cull = static_cast<double>(fetched(simulation, config)) / config.pu_fronts();
   const MemoryBytes bytes = total_bytes(simulation);
   bounds.memory = static_cast<double>(bytes.read + bytes.written) / memory_peak(options.memory);
   // A beat of each of its two channels in a cycle.
@@ -123,6 +134,7 @@ Json report_json(const Scene& scene, const Camera& camera, const SimulateOptions
     config["memory_jitter"] = options.memory.jitter;
   }
   config["memory_bytes_per_cycle"] = memory_peak(options.memory);
+  if (options.config.has_walks()) config["walk_most"] = options.walk_most;
   config["picture"] = options.raster ? "raster" : "windows";
   config["seed"] = options.rtl.seed;
   report["config"] = config;

@@ -23,10 +23,13 @@ using Cycle = int64_t;  // of the machine's clock; 0 is the restart of the frame
 inline constexpr Cycle kLongAgo = -1000;
 inline constexpr Cycle kNever = int64_t{1} << 60;
 
-// A Gaussian of the trace, or an end. Below the ends: number of a survivor of the cull, see TimingTrace.
+// A Gaussian of the trace, or an end, with its kind in the low bits. Below the ends: number of a survivor of the cull,
+// see TimingTrace.
 using Beat = uint32_t;
-inline constexpr Beat kLayerEndBeat = 0xfffffffe, kWindowEndBeat = 0xffffffff, kBubble = 0xfffffffd;
-inline bool is_end(Beat beat) { return beat >= kLayerEndBeat; }
+inline constexpr Beat kBubble = 0xfffffffc, kLayerEndBeat = 0xfffffffd, kWindowEndBeat = 0xfffffffe;
+inline constexpr Beat kPartEndBeat = 0xffffffff;
+inline bool is_end(Beat beat) { return beat > kBubble; }
+inline uint64_t end_kind(Beat beat) { return beat - kBubble; }
 
 // An output register: valid until the taker clears it; seen from `from` on.
 template <class T>

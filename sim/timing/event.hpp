@@ -29,12 +29,11 @@ struct TimingEvent {
   auto operator<=>(const TimingEvent&) const = default;
 };
 
-// TimingEvent::what: of a request; of a beat's splat by its sort key; of an end. A chunk is 0.
+// TimingEvent::what: of a request; of a beat's splat by its sort key; of an end its kind. A chunk is 0.
 constexpr uint64_t shown_request(uint64_t line, bool write, int lines) {
   return line << 4 | static_cast<uint64_t>(lines - 1) << 1 | (write ? 1 : 0);
 }
 constexpr uint64_t shown_splat(uint64_t key) { return key << 2; }
 constexpr uint64_t shown_line(int region, int quarter) { return static_cast<uint64_t>(4 * region + quarter); }
-constexpr uint64_t shown_end(bool of_window) { return of_window ? 2 : 1; }
 
 }  // namespace pipegs::timing

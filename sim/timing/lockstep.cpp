@@ -88,7 +88,7 @@ void Lockstep::on_chunk(int unit, int kind, const uint32_t*) {
 void Lockstep::on_splat(int unit, const uint32_t* splat) { show(Border::kSplat, unit, beat<Splat>(splat)); }
 void Lockstep::on_sorted(const uint32_t* sorted) {
   const uint64_t what = beat<Sorted>(sorted);
-  if (what == timing::shown_end(true)) window_ends_.push_back(static_cast<uint64_t>(cycle));
+  if (what == kWindowEnd) window_ends_.push_back(static_cast<uint64_t>(cycle));
   show(Border::kSorted, 0, what);
 }
 void Lockstep::on_layer_done(int unit, bool) { show(Border::kLayer, unit, 0); }
@@ -99,7 +99,7 @@ void Lockstep::on_alphas(int lane, uint64_t, uint64_t, uint32_t, int region, int
 template <class Record>
 uint64_t Lockstep::beat(const uint32_t* words) const {
   const Record record = unpack<Record>(config_, words);
-  if (record.kind != kData) return timing::shown_end(record.kind == kWindowEnd);
+  if (record.kind != kData) return record.kind;
   return timing::shown_splat(splat_key(config_, record.depth, record.index, record.part));
 }
 

@@ -50,6 +50,7 @@ void Machine::step(int number, Cycle now) {
     case kPublish:
       for (Ru& one : ru) one.publish(*this, now);
       layer_free.publish(*this, now);
+      if (config.occlusion) open.publish(*this, now);
       break;
     case kLanes: ru[k].lanes(*this, now); break;
     case kSource: ru[k].source(*this, now); break;
@@ -75,13 +76,6 @@ void Machine::step(int number, Cycle now) {
     case kProject: pu[k].project(*this, now); break;
     default: break;
   }
-}
-
-bool Machine::other_spills(int lane, Cycle now) const {
-  for (int k = 0; k < units; ++k) {
-    if (k != lane && su[static_cast<size_t>(k)].spilling(now)) return true;
-  }
-  return false;
 }
 
 Cycle Machine::run() {

@@ -15,6 +15,7 @@
 #include "sim/timing/event.hpp"
 #include "sim/timing/list/lists.hpp"
 #include "sim/timing/memory.hpp"
+#include "sim/timing/open.hpp"
 #include "sim/timing/pu/pu.hpp"
 #include "sim/timing/ru/ru.hpp"
 #include "sim/timing/ru/ru_order.hpp"
@@ -42,7 +43,7 @@ enum Unit : int {
   kExpand,     // with lists, or with parts pu_parts
   kListColor,  // with lists, instead of kColor
   kConic,
-  kProject,  // pu_project, and the stages behind it up to pu_covariance
+  kProject,  // pu_project, and the stages behind it up to what kConic plays or shows
   kDeal,
   kReach,  // with TightCull
   kCull,
@@ -59,7 +60,6 @@ struct Machine {
   bool cycle();  // one cycle; false when the frame was done before it
   Cycle cycles() const { return cycles_; }
   void step(int unit, Cycle now);
-  bool other_spills(int lane, Cycle now) const;  // an SU other than this one brings a set to memory
 
   const TimingTrace& trace;
   const Config config;
@@ -78,8 +78,9 @@ struct Machine {
   Deal deal;
   Dopu dopu;
 
-  // Set by the RUs, seen by others: windows and layers that they finished.
+  // Set by the RUs, seen by others: windows and layers that they finished, and what is open.
   LayerFree layer_free;
+  OpenRegister open;
   std::vector<Cycle> window_ends;  // when the end of each window left the merge
   uint64_t overflow_lines = 0;
   uint64_t peak_lines = 0, peak_records = 0;  // in one alpha store, in one SU's store
@@ -89,9 +90,7 @@ struct Machine {
   void show(Cycle now, Border border, int lane, uint64_t what) {
     if (events != nullptr) events->push_back({now, border, static_cast<uint8_t>(lane), what});
   }
-  uint64_t beat_shown(Beat beat) const {
-    return is_end(beat) ? shown_end(beat == kWindowEndBeat) : shown_splat(trace.key[beat]);
-  }
+  uint64_t beat_shown(Beat beat) const { return is_end(beat) ? end_kind(beat) : shown_splat(trace.key[beat]); }
   std::vector<TimingEvent>* events = nullptr;
 
  private:

@@ -119,8 +119,9 @@ mutant "the halves do not change roles" 's/half_q <= !half_q/half_q <= half_q/'
 proof  slot_pool "pipegs_slot_pool+ free_sram_fifo" "Slots=8; Slots=2; Slots=1024"
 mutant "a slot never used is not counted" 's/if \(take \&\& fresh\) fresh_q/if (take \&\& fresh \&\& !free_i) fresh_q/'
 mutant "the queue loses its head while new slots are left" \
-       's/out_ready_i\(slot_ready_i \&\& !fresh\)/out_ready_i(slot_ready_i)/'
-mutant "a slot that comes back stays counted as used" 's/(if \(free_i) \&\& !take(\) used_q)/\1 \&\& fresh\2/'
+       's/(slot_ready_i) \&\& !fresh\)/\1)/'
+mutant "slots go on where they were when they are renewed" "s/if \(renew_i\) fresh_q <= '0;/if (1'b0) fresh_q <= '0;/"
+mutant "a slot that comes back stays counted as used" 's/(if \(take != free_i)(\) used_q)/\1 \&\& fresh\2/'
 
 # --- rtl/mem ----------------------------------------------------------------------------------------------------------
 # Small queues, then that of the machine.
@@ -305,6 +306,16 @@ mutant "a frame is taken before the one in the front has gone to the back" \
 mutant "splats of the next frame are let in" "s/(hold_o *= )enter_q == '0/\11'b0/"
 mutant "the RUs are heard while they finish the frame before" 's/(listen_o *= )!ahead_q \&\& /\1/'
 
+# Of a window with parts that may be walked alone, and of smaller ones.
+proof  open "pipegs_open+ ru_own" "@late=1,order=2,window=32,occlusion=1;
+       @late=1,order=2,window=128,quads=1,occlusion=1; @late=1,order=2,window=32,units=2,occlusion=1"
+mutant "one region short on the left" "s/from_low\(x\)\}/ClosedW'(from_low(x) + (x != 0))}/"
+mutant "one region short on the right" "s/from_high\(x, side\),/ClosedW'(from_high(x, side) + (x != 0)),/"
+mutant "one region short above" "s/from_low\(y\),/ClosedW'(from_low(y) + (y != 0)),/"
+mutant "one region short below" "s/\{from_high\(y, side\),/{ClosedW'(from_high(y, side) + (y != 0)),/"
+mutant "an RU closes regions that are not its own" 's/ \& \{Parts\{own\}\}//'
+mutant "RUs in two windows are heard together" "s/here == '1/1'b1/"
+mutant "what the RUs closed of the window before" 's/(window_x = progress_i.x\[)0\]/\1Units-1]/; s/here == .1/1/'
 proof  layer_free "pipegs_layer_free+" "@default; @units=2; @units=1"
 mutant "frees when one RU has finished" "s/some == '1/some != 0/"
 mutant "a layer that is finished while one is freed is forgotten" \
@@ -315,6 +326,13 @@ mutant "a layer that is finished while one is freed is forgotten" \
 proof  pu_phases "pu_phases+" "machine"
 mutant "the output is claimed while a record waits in it" 's/assign out_free    = .*/assign out_free    = 1;/'
 mutant "a record is taken before the last phase is over" 's/phase_q == LastPhase \&\& step_o/phase_q >= LastPhase - 1/'
+
+# The same in four cycles, where younger records may be in their phases while one waits to claim.
+proof  pu_phases_four "pu_phases+" "Phases=4 Depth=6 Claim=6; Phases=4 Depth=5 Claim=5; Phases=4 Depth=3 Claim=3;
+       Phases=4 Depth=2 Claim=2; Phases=4 Depth=11 Claim=14"
+mutant "nothing stands still while a record waits to claim" 's/(assign step_o *= ).*/\11;/'
+mutant "the last phase but one claims" \
+       "s/(Claim-Phases\)\*SlotW\+:SlotW\] == \{1'b1, LastPhase)/\1 - 1'b1/"
 
 # The clockwork of pu_conic and pu_coeff.
 proof  pu_turns "pu_turns+" "machine"
@@ -370,9 +388,8 @@ mutant "asks for lines without room" \
 mutant "a line is forgotten when it is answered" 's/if \(used \&\& !asked\)/if (rsp_valid_i \&\& !asked)/'
 mutant "the line behind an area's last one is asked for" \
        's/\(line_q\) >= pipegs_pkg::area_lines/(line_q) > pipegs_pkg::area_lines/'
-mutant "a set is written over one that is being read" 's/(writes = )behind_q == .0/\11/'
-mutant "the answer to another read frees the way for writes" 's/(behind_q <= )await_q \+ 1.b1/\1await_q/'
-mutant "runs lie over the keys" 's/run_area_i \? pipegs_pkg::AreaRuns/run_area_i ? pipegs_pkg::AreaRecords/'
+mutant "runs lie over the records" 's/run_area_i \? pipegs_pkg::AreaRuns/run_area_i ? pipegs_pkg::AreaRecords/'
+mutant "merged runs lie over the keys" 's/(run_area_i \? pipegs_pkg::AreaRuns : pipegs_pkg::)AreaMerged/\1AreaKeys/'
 mutant "the choice moves before it is taken" 's/if \(choice_q == None\) choice_q/if (!taken) choice_q/'
 
 # Narrow keys through the real pipeline and iterations, and the cells at the widths of the machine. RecordW holds a mark
@@ -422,12 +439,24 @@ mutant "one window too many" "s/left_q   <= windows - LeftW'\(1\)/left_q <= wind
 # Two sets of planes take turns, on the machine that walks windows and the one that walks the whole frame.
 proof  dopu_planes "dopu_planes+ pipegs_bit_length" "@default"
 mutant "a window is taken while one is inside" 's/window_ready_o = !busy_q/window_ready_o = 1/'
-proof  dopu_windows "dopu_windows+ free_planes pipegs_window_walk" \
-       "@default %Regions=4 %RegionW=2 %PlaneBits=1 %WindowW=3;
-  @order=1 %Regions=8 %RegionW=3; @default %Regions=8 %RegionW=3"
+proof  dopu_windows "dopu_windows+ free_planes pipegs_window_walk pipegs_closed" \
+       "@late=1,order=2,window=128,quads=1 %Regions=8 %RegionW=3 %MaskW=2 %PlaneBits=1 %WindowW=3 %PlaceW=9;
+  @order=1 %Regions=8 %RegionW=3; @default %Regions=8 %RegionW=3;
+  @late=1,order=2,window=128,quads=1,occlusion=1 %Regions=8 %RegionW=3 %MaskW=2 %PlaneBits=1 %WindowW=3 %PlaceW=9
+  %ClosedW=1 %ClosedBits=4 %OpenBits=27"
 mutant "a set is overwritten before it is released" 's/planes_ready = !valid_q\[fill_q\]/planes_ready = 1/'
 mutant "a release clears the set filled next instead of the oldest" 's/valid_q\[oldest_q\] <= /valid_q[fill_q] <= /'
-mutant "a set is called done for the window that it held before" 's/set_done_o = done_q \& valid_q/set_done_o = done_q/'
+mutant "a set is called done for the window that it held before" \
+       's/(set_done_o += \(done_q \| given_q\)) \& valid_q/\1/'
+mutant "a part of a window is left out" "s/2'd2 : part_q/2'd3 : part_q/"
+mutant "a window stays in parts" 's/\(parts_q && !next\)/parts_q/'
+mutant "a set is filled while another one is on trial" 's/ && !judges_q;/;/'
+mutant "the open mask of another part" 's/place_q\[refit_pick\]\)/place_q[!refit_pick])/' \
+       "@late=1,order=2,window=128,quads=1,occlusion=1 %Regions=8 %RegionW=3 %MaskW=2 %PlaneBits=1 %WindowW=3 %PlaceW=9
+  %ClosedW=1 %ClosedBits=4 %OpenBits=27"
+mutant "planes made anew go to the other set" 's/assign refit_set = set_q/assign refit_set = !set_q/' \
+       "@late=1,order=2,window=128,quads=1,occlusion=1 %Regions=8 %RegionW=3 %MaskW=2 %PlaneBits=1 %WindowW=3 %PlaceW=9
+  %ClosedW=1 %ClosedBits=4 %OpenBits=27"
 mutant "a row has one window less" "s/(last_x_i\(raster_i.windows.last_x)\)/\1 - 1'b1)/"
 
 # Places for results are reserved: three levels, a test and readers of which only the promises are known. A node has

@@ -30,7 +30,7 @@ struct Outcome {
 class Cli : public testing::Test {
  protected:
   // Of the machines that tests build the one that compiles soonest, for whoever needs another variant of one: waves.
-  const std::string smallest_ = "--design dop --set units=1 --set alpha_lines=64 --set records=16 ";
+  const std::string smallest_ = "--design dop --set units=1 --set pace=4 --set alpha_lines=64 --set records=16 ";
 
   void SetUp() override {
     folder_ = fs::temp_directory_path() / ("pipegs_cli_" + std::to_string(getpid()));

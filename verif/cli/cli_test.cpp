@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // cli_test: `pipegs` with good and bad input: exit codes, one clear line, nothing half-written.
+#include "cpp_model/driver/pipegs_frame.h"
 #include "verif/cli/cli.hpp"
 
 namespace pipegs {
@@ -88,6 +89,9 @@ TEST_F(Cli, ADesignPointIsItsSettingsAndThoseBehindIt) {
   EXPECT_EQ(late["order"], 0);
   EXPECT_EQ(late["quadratic"], 0);
   EXPECT_EQ(config_of("--design late --set late=0 ")["late"], 0);
+  EXPECT_EQ(standard["walk_most"], PIPEGS_WALK_MOST);
+  EXPECT_EQ(config_of("--walk-most 5 ")["walk_most"], 5);
+  EXPECT_FALSE(paper.contains("walk_most")) << "its windows have one walk";
 }
 
 TEST_F(Cli, RenderWritesEveryModel) {

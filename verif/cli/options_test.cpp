@@ -71,6 +71,22 @@ TEST_F(Options, NumbersAreDecimal) {
   EXPECT_EQ(config["seed"], 18446744073709551615ull);
 }
 
+// Where no machine walks windows part by part there is nothing that it could say.
+TEST_F(Options, WalkMostIsForMachinesWithWalks) {
+  const std::string refused = "--walk-most: found no machine that walks windows part by part";
+  for (const char* machine : {"--design dop", "--design exact", "--set window=64"})
+    expect_refused("sim" + view_ + "--no-rtl --no-truth --walk-most 5 " + machine, refused);
+  expect_refused("model" + view_ + "--walk-most 5 --designs dop,exact", refused);
+  expect_refused("what-if" + view_ + "--walk-most 5 --design dop --set units=2", refused);
+  expect_refused("pack" + view_ + "--walk-most 5", "--walk-most: found one, expected none");
+  for (const char* line : {"sim --no-rtl --no-truth --out pictures", "model --designs dop,fast",
+                           "what-if --design exact --set window=128,quads=1"}) {
+    const std::string words = line, command = words.substr(0, words.find(' '));
+    const Outcome outcome = run(command + view_ + "--walk-most 5" + words.substr(command.size()));
+    EXPECT_EQ(outcome.code, 0) << line << ": " << outcome.err;
+  }
+}
+
 // Every option that takes a list, with two elements of it.
 TEST_F(Options, NoElementOfAListIsEmpty) {
   struct List {

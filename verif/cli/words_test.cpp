@@ -173,7 +173,7 @@ TEST_F(Words, TheReplayLineReplays) {
   const std::string given =
       "\"it's.ply\" --cameras cameras.json --config 'my machine.cfg' --near 0.25 --effects all "
       "--memory ideal --latency 50 --jitter 7 --bandwidth 32.5 --seed 9 --design dop "
-      "--set alpha_lines=64 --set records=16 --out pictures";
+      "--set pace=4 --set alpha_lines=64 --set records=16 --out pictures";
   const std::string faulty = "PIPEGS_FAULT=pixel '" PIPEGS_FAULTY "' ";
   const Outcome first = shell(faulty + "sim " + given);
   ASSERT_EQ(first.code, 1) << first.err;

@@ -60,6 +60,18 @@ TEST(Corners, ANodeHas256Bits) {
   EXPECT_NE(refused(config).find("a node has 257 bits, expected at most 256"), std::string::npos);
 }
 
+// With fewer places the cells of a window on trial fill the queue, and no group can be counted: the DOPU hangs.
+TEST(Corners, TheQueueHoldsAWindowOnTrial) {
+  const std::vector<std::string> walks = {"late=1", "order=2", "quads=1", "window=128"};
+  Config config = with(walks);
+  config.nearest_nodes = 128;
+  EXPECT_EQ(refused(config), "accepted");
+  config.nearest_nodes = 64;
+  EXPECT_EQ(refused(config), "configuration: nearest_nodes = 64, expected with window = 128 at least 2 grid^3 = 128");
+  config.window = 64;
+  EXPECT_EQ(refused(config), "accepted");
+}
+
 TEST(Corners, AreLegalAndTheSameForASeed) {
   for (uint64_t seed = first_seed(); seed < first_seed() + 10; ++seed) {
     const Config config = config_corner(seed);

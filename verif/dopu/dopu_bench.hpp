@@ -88,6 +88,7 @@ struct Feedback : Endpoint {
   const Config& config;
   const Frame* frame = nullptr;
   size_t after = 10, window = 0, ends = 0, seen = 0;
+  uint64_t parts = ~uint64_t{0};  // of the window, that are done then
   std::function<void()> next_window = [] {};
   Feedback(Bench<Vpipegs_dopu>& b, Units& u, const Config& c) : bench(b), units(u), config(c) {
     b.add(*this);
@@ -105,7 +106,8 @@ struct Feedback : Endpoint {
     Words bits(sizeof(bench.dut.done_i) / 4 + 2), x(4), y(4);
     for (int u = 0; u < config.units; ++u) {
       for (int r = 0; r < config.regions(); ++r) {
-        if (ru_owner(config, r) == u) put_bits(bits.data(), u * config.regions() + r, 1, done);
+        const bool now = done && (parts >> region_part(config, r) & 1) != 0;
+        if (ru_owner(config, r) == u) put_bits(bits.data(), u * config.regions() + r, 1, now);
       }
       put_bits(x.data(), u * config.window_w(), config.window_w(), frame->raster.windows.first_x + window % columns);
       put_bits(y.data(), u * config.window_w(), config.window_w(), frame->raster.windows.first_y + window / columns);
@@ -196,18 +198,22 @@ inline const Around kAround[] = {
     {"lazy units", Pace::kLazy, Pace::kLazy, {.latency = 60, .jitter = 20}},
     {"coins", Pace::kCoin, Pace::kQuarter, {.latency = 60, .jitter = 20}}};
 
-// Frames one after another: nothing may be left of the frame before. Sees each world before and after its frame.
+// Frames one after another: nothing may be left of the frame before. Sees each world before and after its frame. Where
+// windows have walks some go by parts, in other frames none is counted, or all go by parts.
 template <class Before, class After>
 void six_frames(Dopu<>& dopu, Before&& before, After&& after) {
   const size_t gaussians[] = {3000, 0, 1, 20000, 500, 60};
   for (int frame = 0; frame < 6; ++frame) {
     SCOPED_TRACE(frame);
     const Scene scene = random_scene(dopu.bench.rng, gaussians[frame]);
-    Camera camera = random_camera(dopu.bench.rng, 200, 150);
+    // Of a window of 128 pixels that the picture cuts one has no pixels in its lower parts, one in its right ones.
+    Camera camera = frame % 2 == 0 ? random_camera(dopu.bench.rng, 200, 150) : random_camera(dopu.bench.rng, 180, 200);
     // One looks along all axes alike, from below the grid; one from beyond it.
     if (frame == 0) camera = look_at("diagonal", 0, 200, 150, glm::dvec3(-90), glm::dvec3(0), 40);
     if (frame == 5) camera = look_at("far", 0, 200, 150, glm::dvec3(300, 400, 500), glm::dvec3(0), 40);
-    const World world(scene, camera, frame == 4);
+    World world(scene, camera, frame == 4);
+    const uint64_t most[] = {500, 60000, 1, 4000, 0, 1};
+    if (world.config.has_walks()) world.frame.walk_most = most[frame];
     before(world);
     dopu.frame(world);
     after(world);

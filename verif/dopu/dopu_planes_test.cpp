@@ -7,6 +7,7 @@
 #include "verif/support/bench.hpp"
 #include "verif/support/config.hpp"
 #include "verif/support/frame_ports.hpp"
+#include "verif/support/random_open.hpp"
 
 namespace pipegs {
 namespace {
@@ -14,6 +15,17 @@ namespace {
 Frame random_frame(const Config& config, std::mt19937_64& rng) {
   const Camera camera = random_camera(rng, 200 + static_cast<int>(rng() % 800), 200 + static_cast<int>(rng() % 800));
   return frame_setup(config, pack_scene(config, random_scene(rng, 20), camera_bound(camera)), camera);
+}
+
+// Of the whole window, or of a part of it with a pixel.
+uint64_t random_walk(const Config& config, const Frame& frame, uint64_t x, uint64_t y, std::mt19937_64& rng) {
+  if (!config.has_walks() || rng() % 3 == 0) return kWholeWalk;
+  const uint64_t walk = walk_of(config, rng() % static_cast<uint64_t>(config.parts()));
+  const WalkSquare square = walk_square(config, walk);
+  const auto side = static_cast<uint64_t>(config.window);
+  const bool inside = x * side + static_cast<uint64_t>(square.x) < frame.raster.width &&
+                      y * side + static_cast<uint64_t>(square.y) < frame.raster.height;
+  return inside ? walk : kWholeWalk;
 }
 
 TEST(DopuPlanesModel, PassesThroughTheEdgesOfTheWindow) {
@@ -24,11 +36,13 @@ TEST(DopuPlanesModel, PassesThroughTheEdgesOfTheWindow) {
     const Frame f = random_frame(config, rng);
     const int wx = static_cast<int>(rng() % (f.raster.windows.last_x + 1)),
               wy = static_cast<int>(rng() % (f.raster.windows.last_y + 1));
-    const Plane left = dopu_planes(config, f, wx, wy)[kLeft];
+    const uint64_t walk = random_walk(config, f, static_cast<uint64_t>(wx), static_cast<uint64_t>(wy), rng);
+    const Plane left = dopu_planes(config, f, wx, wy, walk)[kLeft];
     // A point on the left edge at depth 1, two pixels outside, lies in the plane: distance zero, here in pixels.
     const double fx = std::ldexp(static_cast<double>(f.lens.focal_x), -config.focal_f()),
                  cx = std::ldexp(static_cast<double>(f.lens.center_x), -config.center_f());
-    const double x = (wx * config.window - config.reach_margin() - cx) / fx;
+    const double x =
+        (static_cast<double>(wx * config.window + walk_square(config, walk).x - config.reach_margin()) - cx) / fx;
     const double w[9] = {
         double(f.camera.rotation.w00), double(f.camera.rotation.w01), double(f.camera.rotation.w02), 0, 0, 0,
         double(f.camera.rotation.w20), double(f.camera.rotation.w21), double(f.camera.rotation.w22)};
@@ -49,17 +63,15 @@ TEST(DopuPlanes, EqualsItsModelAtEveryPace) {
   const Config config = test_config();
   Bench<Vdopu_planes> bench;
   auto& dut = bench.dut;
-  WordSource<decltype(dut.window_x_i)> in(bench, dut.window_valid_i, dut.window_ready_o, dut.window_x_i);
+  WordSource<decltype(dut.window_i)> in(bench, dut.window_valid_i, dut.window_ready_o, dut.window_i);
+  std::deque<Closed> closed;  // of the windows that are not taken yet
+  const Beside sides(
+      bench,
+      [&] {
+        if (dut.window_valid_i && dut.window_ready_o) closed.pop_front();
+      },
+      [&] { write_record(config, dut.closed_i, closed.empty() ? Closed{} : closed.front()); });
   WordSink<decltype(dut.planes_o)> out(bench, dut.planes_valid_o, dut.planes_ready_i, dut.planes_o);
-  struct Row : Endpoint {  // the row travels with the column
-    Bench<Vdopu_planes>& bench;
-    std::deque<uint32_t> rows;
-    explicit Row(Bench<Vdopu_planes>& b) : bench(b) { b.add(*this); }
-    void drive() override { bench.dut.window_y_i = static_cast<SData>(rows.empty() ? 0 : rows.front()); }
-    void observe() override {
-      if (bench.dut.window_valid_i && bench.dut.window_ready_o) rows.pop_front();
-    }
-  } row(bench);
   bench.reset();
   for (int round = 0; round < 60; ++round) {
     in.pace = kPaces[round % 3];
@@ -71,9 +83,16 @@ TEST(DopuPlanes, EqualsItsModelAtEveryPace) {
     for (int i = 0; i < 20; ++i) {
       const uint32_t x = static_cast<uint32_t>(bench.rng() % (frame.raster.windows.last_x + 1)),
                      y = static_cast<uint32_t>(bench.rng() % (frame.raster.windows.last_y + 1));
-      in.push({x});
-      row.rows.push_back(y);
-      expected.push_back(dopu_planes(config, frame, static_cast<int>(x), static_cast<int>(y)));
+      const uint64_t walk = random_walk(config, frame, x, y, bench.rng);
+      in.push({static_cast<uint32_t>(walk << 2 * config.window_w() | y << config.window_w() | x)});
+      closed.push_back(config.has_lists() || i % 3 == 0 ? Closed{} : random_closed(config, walk, bench.rng));
+      // Of a rectangle beyond the picture nothing is asked for.
+      const uint64_t left = x * static_cast<uint64_t>(config.window), top = y * static_cast<uint64_t>(config.window);
+      if (left + static_cast<uint64_t>(walk_square(config, walk).x) + 8 * closed.back().left >= frame.raster.width)
+        closed.back().left = 0;
+      if (top + static_cast<uint64_t>(walk_square(config, walk).y) + 8 * closed.back().top >= frame.raster.height)
+        closed.back().top = 0;
+      expected.push_back(dopu_planes(config, frame, static_cast<int>(x), static_cast<int>(y), walk, closed.back()));
     }
     ASSERT_TRUE(bench.run_until([&] { return out.beats.size() == first + expected.size(); }));
     const int width = record_width<Plane>(config);

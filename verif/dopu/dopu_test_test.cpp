@@ -63,7 +63,7 @@ TEST(DopuTestModel, NeverRejectsANodeWithAGaussianThatTouchesTheWindow) {
       for (int wx = 0; wx <= static_cast<int>(frame.raster.windows.last_x); ++wx) {
         std::vector<bool> chosen(packed.chunks.size());
         const auto choose = [&](int, const Chunk&, uint64_t chunk) { chosen[chunk] = true; };
-        if (config.has_watermarks()) dopu_nearest(config, frame, packed, wx, wy, choose);
+        if (config.has_watermarks()) dopu_nearest(config, frame, packed, wx, wy, kWholeWalk, choose);
         else dopu_window(config, frame, packed, wx, wy, choose);
         for (size_t c = 0; c < packed.chunks.size(); ++c) {
           const Node& node = packed.chunks[c];
@@ -123,7 +123,7 @@ void compare(Pace pace) {
     std::vector<bool> pass;
     std::vector<uint64_t> tags, taken, exponents;
     std::vector<Hull> hulls;
-    std::vector<int64_t> nearest;
+    std::vector<int64_t> nearest, farthest;
     explicit Probe(Bench<Vdopu_test>& bench) : d(bench.dut), b(bench) { bench.add(*this); }
     void drive() override {
       d.set_i = taken.size() & 1;
@@ -136,7 +136,10 @@ void compare(Pace pace) {
       if (d.node_valid_i && d.node_ready_o) taken.push_back(b.cycle);
       if (!d.result_valid_o) return;
       pass.push_back(d.result_pass_o), tags.push_back(d.result_tag_o), exponents.push_back(d.result_exponent_o);
-      nearest.push_back(static_cast<int64_t>(d.result_nearest_o << (64 - kNearestW)) >> (64 - kNearestW));
+      const auto depth = [](uint64_t port) {
+        return static_cast<int64_t>(port << (64 - kNearestW)) >> (64 - kNearestW);
+      };
+      nearest.push_back(depth(d.result_nearest_o)), farthest.push_back(depth(d.result_farthest_o));
     }
   } probe(bench);
   dut.awake_i = 1;
@@ -190,6 +193,8 @@ void compare(Pace pace) {
       const Corners box = dopu_test_corners(config, frame, nodes[i], step);
       const bool ranks = config.has_watermarks();  // else the test says nothing about depth
       ASSERT_EQ(probe.nearest[first + i], ranks ? dopu_depth_bound(config, box, sets[0][kNear]) : 0)
+          << to_text(config, nodes[i]);
+      ASSERT_EQ(probe.farthest[first + i], config.has_walks() ? dopu_depth_end(config, box, sets[0][kNear]) : 0)
           << to_text(config, nodes[i]);
       ASSERT_EQ(probe.exponents[first + i], static_cast<uint64_t>(ranks ? box.exponent : 0));
       ASSERT_EQ(first_difference(config, nodes[i], out.at(first + i)), "");

@@ -111,6 +111,7 @@ inline void set_windows(const Config& config, ReferenceFields& set, const std::o
   frame.raster.windows.first_y = static_cast<uint64_t>(range.first_y);
   frame.raster.windows.last_x = static_cast<uint64_t>(range.last_x);
   frame.raster.windows.last_y = static_cast<uint64_t>(range.last_y);
+  frame.walk_most = config.has_walks() ? 32000 : 0;
   // Pixels of all windows, whole ones, whatever their order; then the overflow areas.
   const uint64_t pixels = static_cast<uint64_t>(columns) * static_cast<uint64_t>(rows) *
                           static_cast<uint64_t>(config.window * config.window);

@@ -110,6 +110,44 @@ TEST(Frame, NeedlesFlatSplatsAndExtremeOpacities) {
   expect_equal_on_all_machines(scene, test_camera(128, 128));
 }
 
+// On `fast`, whose windows of 128 pixels go whole, by parts, or some so and some so: every beat as the golden model
+// says, and the same picture.
+void expect_equal_in_parts(const Scene& scene, const Camera& camera) {
+  SimulateOptions options = machine(kFast);
+  std::vector<uint64_t> whole;
+  for (const uint64_t most : {0, 1, 1500}) {
+    SCOPED_TRACE(fmt::format("at most {}", most));
+    options.walk_most = most;
+    const std::vector<uint64_t> pixels = expect_equal(scene, camera, options);
+    if (most == 0) whole = pixels;
+    EXPECT_EQ(pixels, whole);
+  }
+}
+
+TEST(Frame, WindowsWalkedPartByPart) {
+  for (const uint64_t seed : {21, 22}) {  // the picture ends within a part, and with the first one of its window
+    Scene scene = random_scene(seed, 3000, 1);
+    for (Gaussian& gaussian : scene.gaussians) gaussian.log_scale -= 1;
+    expect_equal_in_parts(scene, seed == 21 ? test_camera(300, 150) : test_camera(180, 260, 300));
+  }
+}
+
+TEST(Frame, PartsOfWhichOneHoldsAllOrNothing) {
+  std::vector<Gaussian> corner, hole, fronts;
+  for (int i = 0; i < 2500; ++i) {
+    const float x = 0.01f * static_cast<float>(i % 50), y = 0.01f * static_cast<float>(i / 50);
+    corner.push_back(gaussian_at({0.1f + x, 0.1f + y, 2}, 0.01f, 0.2));          // one depth; the last part
+    hole.push_back(gaussian_at({-0.1f - x, -0.1f - y, 3 - 0.001f * i}, 0.01f));  // the last one is the first to be seen
+  }
+  // Opaque at once, and much behind: parts close while their chunks and ends are on their way.
+  for (int i = 0; i < 1500; ++i)
+    fronts.push_back(gaussian_at({0.02f * static_cast<float>(i % 39) - 0.4f, 0.02f * static_cast<float>(i / 39) - 0.4f,
+                                  i < 40 ? 1.0f : 2 + 0.002f * i},
+                                 i < 40 ? 0.3f : 0.02f, 0.999));
+  for (const auto& gaussians : {corner, hole, fronts})
+    expect_equal_in_parts(scene_of(gaussians), test_camera(128, 128));
+}
+
 TEST(Frame, AnAntialiasedSceneOnTheMachineThatCompensates) {
   Scene scene = random_scene(15, 400, 1);
   const Camera camera = test_camera(96, 70);

@@ -2,11 +2,15 @@
 // golden_test: the whole golden model against the float64 truth, and what it must not depend on.
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <set>
 
 #include "cpp_model/dopu/dopu.hpp"
 #include "cpp_model/dopu/nearest/dopu_nearest.hpp"
+#include "cpp_model/su/su.hpp"
 #include "cpp_model/float/metrics.hpp"
 #include "cpp_model/float/truth.hpp"
 #include "cpp_model/frame_setup.hpp"
@@ -274,7 +278,7 @@ TEST(Golden, AWindowHasTheChunksOfTheWalkThatTheMachineMakes) {
         std::set<uint64_t> means;
         const auto keep = [&](int, const Chunk&, uint64_t number) { means.insert(number); };
         dopu_window(packed->config, frame, *packed, x, y, keep);
-        dopu_nearest(packed->config, frame, *packed, x, y, [&](int, const Chunk&, uint64_t number) {
+        dopu_nearest(packed->config, frame, *packed, x, y, kWholeWalk, [&](int, const Chunk&, uint64_t number) {
           ++sent;
           other += !means.contains(number);
         });
@@ -284,6 +288,48 @@ TEST(Golden, AWindowHasTheChunksOfTheWalkThatTheMachineMakes) {
     }
   }
   EXPECT_GT(other, 0u) << "no window in which the difference shows";
+}
+
+// Walked whole, part by part, or some so and some so: the same pixels, from the same pairs.
+TEST(Golden, WindowsWalkedPartByPartGiveTheSamePixels) {
+  SimulateOptions options;
+  options.config = find_design_point("fast").config;
+  uint64_t split = 0, whole = 0;
+  for (uint64_t seed = 40; seed < 44; ++seed) {
+    Scene scene = random_scene(seed, 4000, 1);
+    for (Gaussian& gaussian : scene.gaussians) gaussian.log_scale -= 1.5f;
+    const Camera camera = test_camera(300, 323, seed % 2 == 0 ? 90 : 300);
+    Simulation never;
+    options.walk_most = 0;
+    simulate_golden(scene, camera, options, never);
+    for (const uint64_t most : {1, 1500, 2500, 3500}) {
+      SCOPED_TRACE(fmt::format("seed {}, at most {}", seed, most));
+      options.walk_most = most;
+      Simulation parts;
+      simulate_golden(scene, camera, options, parts);
+      EXPECT_EQ(parts.golden.pixels, never.golden.pixels);
+      EXPECT_EQ(parts.golden.stopped, never.golden.stopped);
+      EXPECT_EQ(parts.golden.image.depth, never.golden.image.depth);
+      EXPECT_EQ(parts.golden.work.blended, never.golden.work.blended);
+      EXPECT_LE(parts.golden.work.records, never.golden.work.records);  // none beyond the picture
+      EXPECT_GE(parts.golden.work.fetched, never.golden.work.fetched);
+      for (uint64_t i = 0; i < 9; ++i) {
+        const GoldenWindow window = golden_window(parts.input, i % 3, i / 3);
+        (window.in_parts() ? split : whole) += !window.layers.empty();
+        // 300 pixels are 2 windows and 44 of a part, 323 are 2 windows, a part and 3 of the next one.
+        const size_t walks = !window.in_parts() ? 1 : i % 3 == 2 ? 2 : 4;
+        EXPECT_EQ(window.walks.size(), walks) << "window " << i;
+        for (const GoldenLayer& layer : window.layers) {
+          EXPECT_TRUE(std::is_sorted(layer.splats.begin(), layer.splats.end(), [&](const auto& a, const auto& b) {
+            if (window.in_parts() && a.splat.part != b.splat.part) return a.splat.part < b.splat.part;
+            return splat_before(a.splat, b.splat);
+          }));
+        }
+      }
+    }
+  }
+  EXPECT_GT(split, 20u);
+  EXPECT_GT(whole, 20u);
 }
 
 // The rank of lists is the order of depth: of two Gaussians that are drawn, the nearer one comes first.

@@ -20,26 +20,30 @@ struct Machine {
   std::vector<std::string> settings = {};
 };
 
-// The machine of Table 2, then half of it, with the second cull, and a quarter, with stores so small that every one of
-// them overflows; then the other design points of the ladder, and `exact` with a pool so small that it spills, and with
-// the numbers of sim/fine.cfg and lanes that blend living quads; then `late` with coarse numbers and without some
-// parts. Buses of all widths are among them, and a machine without one; clocks that never stop, too.
+// The machine of Table 2, then half of it, with the second cull, and a quarter, with PUs of four cycles and stores so
+// small that every one of them overflows; then the other design points of the ladder, and `exact` that leaves out what
+// is hidden, with a pool so small that it spills, and with the numbers of sim/fine.cfg and lanes that blend living
+// quads; then `late` with coarse numbers, without some parts, and PUs of four cycles; and `fast` with PUs of eight that
+// leaves out nothing of what is hidden, and with pools that spill and the shortest queue. Buses of all widths are among
+// them, and a machine without one; clocks that never stop, too.
 inline const std::vector<Machine> kMachines = {
     {"dop"},
     {"dop", {"units=2", "fronts=1", "pixels_per_row=1", "grid=8", "tight_cull=1", "bus_w=256", "clock_gates=0"}},
-    {"dop", {"units=1", "alpha_lines=64", "records=16"}},
+    {"dop", {"units=1", "pace=4", "alpha_lines=64", "records=16"}},
     {"late"},
     {"tspp"},
     {"dpc"},
     {"baseline"},
     {"gscore"},
     {"exact"},
-    {"exact", {"units=2", "records=16", "bucket_bits=3", "bus_w=128", "clock_gates=0"}},
+    {"exact", {"units=2", "occlusion=1", "records=16", "bucket_bits=3", "bus_w=128", "clock_gates=0"}},
     {"exact", {"quads=1", "pos_w=18", "base_w=14", "mantissa_w=22", "coeff_f=24", "alpha_w=10"}},
     {"fast"},
     {"late",
-     {"antialias=1", "alpha_cut=128", "tile_test=0", "exp_linear=0", "t_cut=1000", "guard_band=0", "early_stop=0",
-      "bus_w=0", "taps=0"}}};
+     {"antialias=1", "alpha_cut=128", "tile_test=0", "pace=4", "exp_linear=0", "t_cut=1000", "guard_band=0",
+      "early_stop=0", "bus_w=0", "taps=0"}},
+    {"fast", {"occlusion=0", "pace=8"}},
+    {"fast", {"records=48", "nearest_nodes=128"}}};
 
 // Their numbers.
 enum Numbered : size_t {
@@ -55,7 +59,9 @@ enum Numbered : size_t {
   kTinyExact,
   kFine,
   kFast,
-  kOdd
+  kOdd,
+  kHidden,
+  kCrowded
 };
 
 inline SimulateOptions machine(size_t number) {

@@ -25,10 +25,39 @@ mutant dopu_emit "a chunk goes to a PU without room" 's/mask_i\(chunk_room_i\)/m
 mutant pipegs_dopu "the clock does not come back for an answer of the memory" 's/(memory_i\()rsp_valid_i \|\| /\1/'
 mutant dopu_windows "a set of planes is overwritten before it is released" \
        's/planes_ready = !valid_q\[fill_q\]/planes_ready = 1/' dopu
+mutant dopu_windows "a window that goes by parts is done with its first part" \
+       's/place_q\[s\]\[PlaceW-1\] && //' dopu_nearest_fast
+mutant dopu_windows "the part behind the right one is the one below it, seen or not" \
+       's/part_q\[0\] \|\| !right_in/part_q[0]/' \
+       dopu_nearest_fast
+mutant dopu_windows "a part is on trial, too" 's/(on_trial = judges_i) && !parts_q/\1/' dopu_nearest_fast
+mutant dopu_nearest "a window on trial opens groups" 's/!held_back && open_ready/open_ready/' dopu_nearest_fast
+mutant pipegs_dopu "the end of a walk that is given up goes to the PUs" \
+       's/(given_up    = walk_end) && /\1 \&\& 1'"'"'b0 \&\& /' dopu_nearest_fast
+mutant dopu_load "the last group alone counts" "s/sum_q (\+ SumW'\(group)/\1/"
+mutant dopu_load "a group ends in its last bucket" "s/(: near0_q\}) \+ 1'b1/\1/"
+mutant dopu_load "a word that is just written is read" 's/again_q \? sums_q : //'
+mutant dopu_load "what a window held counts for the next one" 's/(else if \()judged_o\) some_q/\11'"'"'b0) some_q/'
+mutant dopu_load "the first bucket of a word alone is judged" 's/(load\[)i(\]\) > most)/\10\2/'
+mutant dopu_rank "the farthest corner is taken for the nearest" 's/farthest_q <= farthest/farthest_q <= nearest/' \
+       dopu_nearest_fast
+mutant dopu_test "the near plane's distance is taken off the farthest corner, too" \
+       's/corner_q <= corner_a/corner_q <= sum_a/' dopu_test_walks
+mutant dopu_planes "a part reaches as far as its window" 's/half \? W/1'"'"'b0 ? W/' dopu_planes_walks
+mutant pipegs_dopu "each part ends its window" \
+       's/(part_end    = walk_end) && !set_ends/\1 \&\& 1'"'"'b0 \&\& set_ends/' dopu_nearest_fast
+mutant dopu_windows "planes made anew go to the other set" 's/assign refit_set = set_q/assign refit_set = !set_q/' \
+       dopu_nearest_fast
+mutant dopu_windows "planes of a set that is filled are those made anew for the one before" \
+       's/planes_ready && !refitting/planes_ready/' dopu_nearest_fast
+mutant dopu_planes "what is closed on the right moves the edge outwards" \
+       "s/- (\(WindowPixelW'\(closed_high\))/+ \1/" dopu_planes_walks
+mutant dopu_planes "one region short above" \
+       "s/(vertical \?) closed_q.top :/\1 closed_q.top + 1'b1 :/" dopu_planes_walks
 mutant dopu_descend "no place is reserved for a result of the test" \
        's/ && reserved_q\[l\] != ReservedW.\(Results\)//' dopu
 mutant dopu_descend "a chunk that is shown is taken back when its window is done" 's/ && !shown_q;/;/' dopu
-mutant pu_fetch "an end carries a slot" "s/(fetched_o\.slot *= )is_data \? slot : '0/\1slot/"
+mutant pu_fetch "an end carries a slot" 's/\{pipegs_pkg::SlotW\{is_data\}\} & slot/slot/'
 mutant pipegs_line_reader "the last line of a chunk is kept when it is half full" 's/\(last \|\| line_end\)/line_end/' \
        pu_fetch
 mutant dopu_cells "both cells of a line are its first one" "s/(item_half_q <= )cell_i\[0\]/\11'b0/" dopu
@@ -69,8 +98,24 @@ mutant pu_phases "a new record is let into an output that was not taken" \
        's/(out_free *= )!out_valid_q \|\| out_ready_i/\11/' pu_shape
 mutant pu_cull "rounding of the view coordinates: + half becomes - half" \
        's/\+ (\$signed\(\(SumW \+ 1\).\(1\)\)\) >>> 1)/- \1/'
-mutant pu_cull "the gap on the low side without what the cut bits of x may hide" \
-       's/ - fx - near;/ - fx;/' pu_cull_tight
+mutant pu_cull "a part reaches as far as its window" "s/walk6\[2\] \? SpanW/1'b0 ? SpanW/" pu_cull_tight
+mutant pu_cull "the right part begins where the left one does" "s/\(walk4\[0\]\)/(1'b0)/" pu_cull_tight
+mutant pu_cull "what is closed above is taken off on the left" 's/closed4\.left/closed4.top/' pu_cull_occlusion
+mutant pu_cull "what is closed on the left is taken off above" 's/closed4\.top/closed4.left/' pu_cull_occlusion
+mutant pu_cull_axis "a part's slack is that of its window" "s/part6_i \? EdgeW/1'b0 ? EdgeW/" pu_cull_tight
+mutant pu_cull_axis "one region short on the left or above" "s/aside\(closed_near6_q/aside(closed_near6_q + 1'b1/" \
+       pu_cull_occlusion
+mutant pu_cull_axis "one region short on the right or below" "s/aside\(closed_far6_q/aside(closed_far6_q + 1'b1/" \
+       pu_cull_occlusion
+mutant pipegs_closed "what is closed of another window" \
+       's/ && \{open_i.window_y, open_i.window_x\} == place_i\[2\*WindowW-1:0\]//' pu_cull_occlusion
+mutant pipegs_closed "the open mask of another part" \
+       "s/(3'd5: walk = open_i.part_)1/\10/" pu_cull_occlusion
+mutant pipegs_open "one region short on the left" "s/, from_low\(x\)\}/, ClosedW'(from_low(x) + (x != 0))}/" open
+mutant pipegs_open "RUs in two windows are heard together" "s/here == '1/1'b1/" open
+mutant pipegs_open "an RU closes regions that are not its own" 's/ & \{Parts\{own\}\}//' open
+mutant pu_cull_axis "the gap on the low side without what the cut bits of x may hide" \
+       "s/ - focal7_q - SideW'\(near_slack7_q\)/ - focal7_q/" pu_cull_tight
 mutant pu_reach "the bound of the rounding errors left out" "s/ \+ \(NW-1\)'\(Error\);/;/"
 mutant pu_reach "a scale below the largest rounded down" "s/\(\(one - 7'd1\) >> below\) \+ 7'd1/one >> below/"
 mutant pu_reach "the guard band clamps on one side only" "s/wide_side \+ bound < 0 \?/1'b0 ?/"
@@ -153,6 +198,23 @@ mutant pu_deal "a Gaussian waits for a PU's ready" 's/out_room_i & ~waiting_q/ou
 mutant pu_deal "an end goes to one PU only" "s/(if \(take_end\) waiting_q <= )'1/\11/"
 mutant pu_deal "the turn goes on while nothing is dealt" \
        "s/(else if \()take_data\) last_q/\1room != '0) last_q/"
+mutant pu_four_project "the reciprocal before is used" 's/inv_valid \? inv : inv_q/inv_q/' pu_shape_four
+mutant pu_four_orient "the entries 12 and 21 with w y for w x" 's/turn_q\[3\] \? x_late_q/turn_q[3] ? y_q/' \
+       pu_shape_four
+mutant pu_four_orient "|q'|^2 without w^2" "s/ \+ SumW'\(square1_q\)//" pu_shape_four
+mutant pu_four_jacobian "a column of the cross product without its second product" \
+       's/ \+ product\[3\]//' pu_shape_four
+mutant pu_four_jacobian "the halves of a focal length overlap by a bit" 's/(product\[2\] <<< HalfW)/\1 - 1/' \
+       pu_shape_four
+mutant pu_four_factors "the distance of t_0 is that of t_1" 's/phase\[1\] \? e\[6\]/phase[1] ? e[7]/' pu_shape_four
+mutant pu_four_squares "u0 . u1 is twice as large" 's/\(whole - alone_q\) >>> 1/(whole - alone_q)/' pu_shape_four
+mutant pu_four_covariance "0.3 is added in place of c0" 's/first\[3\] \? c0_q : Small/Small/' pu_shape_four
+mutant pu_four_conic "roots of the set that a younger record has" \
+       's/(give_set_i\()ride_12_q/\1ride_8_q/' pu_shape_four
+mutant pu_four_extent "the box lies crosswise" 's/(pixels_x = pixels_q\[)swap_i/\1!swap_i/' pu_shape_four
+mutant pu_four_coeff "narrow w is narrow m" "s/(phase\[1\]) \? (RightW'\(in_q)/\1 || phase[2] ? \2/" pu_regions_four
+mutant pu_four_coeff "u w is added" "s/(c_q <= c_q) - SumBcW/\1 + SumBcW/" pu_regions_four
+mutant pipegs_square "products with the sign bit count as positive" 's/sum -= row/sum += row/' pu_shape_four
 mutant pu_regions "a Gaussian that dies leaves its payload in the queue" 's/(out_ready_i.)drop \|\| go/\1go/'
 mutant pu_payload "whoever leaves shows the first word" "s/head_q == Last \? '0 : head_q \+ 1'b1/head_q/" pu_regions
 mutant pu_turns "the output takes what is not inside" 's/(leave_o *= move_o) \&\& inside_q/\1/' pu_conic
@@ -196,6 +258,14 @@ mutant su_bitonic "one stage too many for a full batch" 's/(<< size_q\)) >= fill
 mutant su_split "the tail of a bucket is overwritten" 's/\{filled \? tail : drop_slot_q/{drop_slot_q/'
 mutant su_output "a splat is shown to the spill too while it goes to the merge" \
        's/(back_valid_o = valid) && divert_i/\1/' su
+mutant su_collect "the end of a part turns no set" \
+       's/(in_kind_i )!= (pipegs_pkg::Kind)LayerEnd/\1== \2WindowEnd/' su_marks
+mutant su_collect "a spill goes on until the end of its walk" \
+       's/(Spill: .*take && !data)\)/\1 \&\& mark_all_o)/' su_marks_tiny
+mutant su_collect "what stays in memory is followed into the pool" 's/stay_i (\? Spill : Collect)/1'"'"'b0 \1/' \
+       su_marks_tiny
+mutant su_gather "what returns is taken from the input" 's/returns_i (\? back_i : in)/1'"'"'b0 \1/' su_marks_tiny
+mutant su_merge "the end of a part goes to the RUs" 's/!= (pipegs_pkg::Kind)WindowEnd/== \1LayerEnd/' su_merge_marks
 mutant su_merge "a comparison is not inverted for the other lane" 's/(beats\[j\*Units\+i\] = )!/\1/'
 mutant su_key "index sorted downwards" 's/\{splat_i\.depth, splat_i\.index\}/{splat_i.depth, ~splat_i.index}/' su_merge
 mutant su_spill "the lines of keys begin one too far" \
@@ -203,8 +273,14 @@ mutant su_spill "the lines of keys begin one too far" \
 mutant su_spill "a record that comes in takes the place of one that is shown" 's/(in_valid_i) && !back_q/\1/' su
 mutant su_spill "the last key of a line is not that of its record" 's/if \(shown\) (keys_o)/if (!shown) \1/' su_tiny
 mutant su_spill "the last line of keys is not written" 's/ \|\| \(close && part != .0\)//' su_tiny
-mutant su_runs "a run begins one line before the whole of it is in memory" \
-       's/listed_i >= first_q \+ SlotW.\(RunLines\)/listed_i + 1 >= first_q + SlotW\x27(RunLines)/' su_tiny
+mutant su_spill "more than fits the pool returns to it" 's/(rest_i > SlotW.\()(pipegs_pkg::SuRefill)/\14 * \2/' \
+       su_marks_tiny
+mutant su_spill "the line of keys that was not full is not written again" \
+       's/start_i \|\| stay_o \|\| (record_ready_i\) keys)/start_i || \1/' su_marks_tiny
+mutant su_runs "a line is read before all of it is in memory" 's/: listed_i;/: listed_i + 1'"'"'b1;/' su_tiny
+mutant su_runs "the bucket of the mark leaves, too" 's/bucket < mark_i\.bucket/bucket <= mark_i.bucket/' su_marks_tiny
+mutant su_runs "what was sent leaves again" 's/bucket >= from_q/1'"'"'b1/' su_marks_tiny
+mutant su_runs "what returns meets what is still sent" 's/if \(idle_i\) (state_q <= Return)/\1/' su_marks_tiny
 mutant su_lines "the last line of a run is not written before it is full" 's/ \|\| left_q == SlotW.\(1\)//' su_tiny
 mutant su_levels "the area that is read does not change" 's/(area_q *<= )!area_q/\1area_q/' su_tiny
 mutant su_ways "a line is asked for without a place" "s/ && held_q\[i\] != HeldW'\(Lines\)//" su_tiny
@@ -214,14 +290,13 @@ mutant su_emit "the end of a set that spilled asks the memory for a record" \
 mutant su_port "a line behind its area is asked for" 's/\(line_q\) >= (pipegs_pkg::area_lines)/(line_q) > \1/' su
 mutant su_port "goes on behind a line that has no room" 's/(choice_q != None) && !full_o/\1/' su
 mutant su_port "asks for lines without room" 's/read_valid_i && room/read_valid_i/' su
-mutant su_port "a line is written while a record is being read" "s/(writes = )behind_q == '0/\11'b1/" su_marks_tiny
 mutant su_buckets "the bucket of the mark leaves too" "s/(LowW'\(i\)) < job_low/\1 <= job_low/" su_marks
 mutant su_buckets "a word of buckets that was given up comes back" "s/(with_bucket = )held \? word : '0/\1word/" su
 mutant su_gather "a full pool spills nothing" "s/(\.full_i)\(.*\),/\1(1'b0),/" su_tiny
 mutant su_sort "an end overtakes the keys before it" 's/(end_go *= chain_valid_i && is_end) && split_idle_o/\1/' su
 mutant su_overflow "a line of keys is shown as a record, too" 's/(line_valid_o = line_shown) && !line_fetch/\1/' su_tiny
 mutant su_external "a run is as long when it is merged as its groups were" \
-       "s/forms \? (SlotW'\(group_count_o\)) : merge_keys/\1/" su_tiny
+       "s/forms \? (SlotW'\(group_o\.count\)) : merge_keys/\1/" su_tiny
 
 # --- rtl/ru -----------------------------------------------------------------------------------------------------------
 group ru "RU"
@@ -393,7 +468,7 @@ group lean "Machines without index ties and without overflow (\`index_ties = 0\`
 mutant su_key "depth sorted downwards" 's/order = splat_i\.depth/order = ~splat_i.depth/' su_merge_lean
 mutant su_merge "assertion: > becomes >=" 's/key > key_q/key >= key_q/' su_merge_lean
 mutant su_merge "assertion: the end of a layer is forgotten when the beat before it still waits" \
-       's/\(go && !mark\) before_q/(go \&\& !out_valid_q) before_q/' su_merge_lean
+       's/\(go && !\(mark.*\)\) before_q/(go \&\& !out_valid_q) before_q/' su_merge_lean
 mutant su_collect "no clock for a record that finds no room: the assertion is never looked at" \
        's/(active_o *= take) \|\| lost/\1/' su_lean
 mutant pu_allocate "lines are given although older ones lie there" "s/SumW'\(used_q\) \+ //" pu_allocate_lean
@@ -482,7 +557,7 @@ group states "States of the units (\`perf_o\`), against what stands at their bor
 mutant dopu_activity "busy reads as starved" 's/(moved_i \? pipegs_pkg::)PerfBusy/\1PerfStarved/' machine_live
 mutant dopu_activity "busy reads as blocked" 's/(moved_i \? pipegs_pkg::)PerfBusy/\1PerfBlocked/' machine_live
 mutant dopu_activity "starved and blocked change places" \
-       's/Blocked( : pipegs_pkg::Perf)Starved/Starved\1Blocked/' machine_live
+       's/Blocked( : .*Perf)Starved/Starved\1Blocked/' machine_live
 mutant pu_state "busy reads as starved" 's/(front_i\) state_o = pipegs_pkg::)PerfBusy/\1PerfStarved/' machine_live
 mutant pu_state "busy reads as blocked" 's/(front_i\) state_o = pipegs_pkg::)PerfBusy/\1PerfBlocked/' machine_live
 mutant pu_state "starved reads as blocked" 's/(else state_o = pipegs_pkg::)PerfStarved/\1PerfBlocked/' machine_live
@@ -551,6 +626,7 @@ mutant pu_expand "the PU may fall asleep while windows are passed over" \
        's/(passes_o *= )move && !touches/\1 1'"'"'b0/' pu_expand_oriented
 mutant pu_expand "a window that is passed over waits for the taker" 's/out_free \|\| !touches/out_free/' \
        pu_expand_oriented
+mutant pu_parts "a Gaussian comes for a part that is not walked" 's/\|\| \(one_part &&/|| (1'"'"'b0 \&\&/' pu_parts
 mutant pu_parts "a mean keeps its place in the second row of parts" \
        's/(moved_y = .*) -$/\1 + 0 */' pu_parts
 mutant pu_parts "the second row begins with its second part" 's/last_column \? from_x_q : /last_column ? to_x_q : /'

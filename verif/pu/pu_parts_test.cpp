@@ -3,6 +3,8 @@
 // as large as the part.
 #include "cpp_model/pu/pu_parts.hpp"
 
+#include <array>
+
 #include "Vpu_parts.h"
 #include "cpp_model/pu/project/pu_project.hpp"
 #include "verif/pu/random_box.hpp"
@@ -34,7 +36,7 @@ struct PartsRun {
         parted(bench, config, bench.dut.parted_valid_o, parted_ready, bench.dut.parted_o) {
     bench.reset();
   }
-  void push(const Conic& conic) {
+  void push(const Conic& conic, uint64_t walk = kWholeWalk) {
     conics.push_back(conic);
     if (conic.kind != kData) {
       expected.push_back({});
@@ -42,7 +44,8 @@ struct PartsRun {
       return;
     }
     payloads.push_back(random_record<Payload>(config, bench.rng));
-    for (const PuPart& one : pu_parts(config, conic)) {
+    payloads.back().walk = walk;
+    for (const PuPart& one : pu_parts(config, conic, walk)) {
       expected.push_back(one.conic);
       expected_parted.push_back({payloads.back(), one.part});
     }
@@ -89,10 +92,10 @@ TEST(PuParts, EqualsItsModelAtEveryPace) {
       PuRandom random{config, run.bench.rng};
       for (int i = 0; i < 1500; ++i) {
         Conic conic = random_box(random, 2, 2, config.part_side());
-        if (random.chance(30)) conic.kind = random.chance(2) ? kLayerEnd : kWindowEnd;
+        if (random.chance(30)) conic.kind = std::array{kLayerEnd, kWindowEnd, kPartEnd}[run.bench.rng() % 3];
         if (conic.kind != kData) conic = {.kind = conic.kind};
         const size_t before = run.expected.size();
-        run.push(conic);
+        run.push(conic, random.walk());
         if (conic.kind != kData) continue;
         dropped += run.expected.size() == before;
         several += run.expected.size() > before + 1;
@@ -135,7 +138,7 @@ TEST(PuPartsModel, PlacesAMeanAsTheProjectionInAWindowOfThatSize) {
     for (int k = 0; k < 100; ++k) {
       Visible v = random.visible(frame);
       v.window_x /= 2, v.window_y /= 2;
-      if (random.chance(3)) v.view_z = std::max<int64_t>(1, v.view_z >> random.integer(0, 12));  // means far away
+      if (random.chance(2)) v.view_z = std::max<int64_t>(1, v.view_z >> random.integer(4, 14));  // means far away
       const Center whole = pu_project(config, frame, v).center;
       Conic conic = random_box(random, 2, 2, config.part_side());
       conic.mean_x = whole.mean_x, conic.mean_y = whole.mean_y;

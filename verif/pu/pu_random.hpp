@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "cpp_model/dopu/walk.hpp"
 #include "cpp_model/fixed.hpp"
 #include "cpp_model/float/projection.hpp"
 #include "cpp_model/frame_setup.hpp"
@@ -118,6 +119,12 @@ struct PuRandom {
     return c;
   }
 
+  // Of a window, or of a part of it.
+  uint64_t walk() {
+    return !config.has_walks() || chance(3) ? kWholeWalk
+                                            : walk_of(config, rng() % static_cast<uint64_t>(config.parts()));
+  }
+
   // A visible Gaussian of any depth, mostly near the image, from 1/1000 pixel to far larger than it.
   Visible visible(const Frame& f) {
     Visible v;
@@ -133,6 +140,7 @@ struct PuRandom {
     v.view_exp = static_cast<uint64_t>(integer(0, std::min(20, config.world_w - config.view_w)));
     v.window_x = static_cast<uint64_t>(integer(0, static_cast<int64_t>(f.raster.windows.last_x)));
     v.window_y = static_cast<uint64_t>(integer(0, static_cast<int64_t>(f.raster.windows.last_y)));
+    v.walk = walk();
     const double pixel = std::log2(static_cast<double>(v.view_z)) + static_cast<double>(v.view_exp) -
                          std::log2(std::ldexp(static_cast<double>(f.lens.focal_x), -config.focal_f()));
     gaussian(v, pixel + uniform(-6, 12), chance(2) ? 10 : 2);

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """jobs_test.py: results of synth/jobs.py: made once, whole or not there, whoever asks for them at the same time."""
 import os
+import shutil
 import sys
 import tempfile
 import threading
@@ -32,6 +33,22 @@ class Results(unittest.TestCase):
             self.assertEqual(found["first"], found["second"])
             self.assertEqual(len(made), 1)
             self.assertEqual(os.listdir(cache), [os.path.basename(found["first"])])
+
+    def test_two_programs_that_make_the_same_result_share_it(self):
+        with tempfile.TemporaryDirectory() as cache:
+            one, other = jobs.Jobs(cache, 1), jobs.Jobs(cache, 1)
+
+            def make(folder):
+                with open(f"{folder}/log", "w", encoding="utf-8") as log:
+                    log.write("whole")
+
+            def overtaken(folder):
+                make(folder)
+                shutil.copytree(folder, folder.rsplit(".", 1)[0])  # the other program was faster
+
+            found = one.result("unit", ["source"], overtaken)
+            self.assertEqual(found, other.result("unit", ["source"], make))
+            self.assertEqual(os.listdir(cache), [os.path.basename(found)])
 
     def test_a_failure_leaves_its_log_and_no_result(self):
         with tempfile.TemporaryDirectory() as cache:

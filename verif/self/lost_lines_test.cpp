@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// lost_lines_test: a machine that blends one line too few, too often or too early is caught, whatever its pixels are.
+// lost_lines_test: a machine that blends one line too few, too often or too early, or fetches one chunk too few, is
+// caught, whatever its pixels are.
 //
 // Idea    What a machine would show is made from the golden window, line by line, with one fault in it. What it writes
 //         back is consistent with what it blends, so only the order and number of lines can give it away.
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <random>
+#include <set>
 
 #include "cpp_model/dopu/dopu.hpp"
 #include "cpp_model/dopu/nearest/dopu_nearest.hpp"
@@ -21,11 +24,17 @@ struct Step {  // a line, or a quad of it
   int region, quad;
 };
 
-class LostLines : public testing::TestWithParam<const char*> {
+struct Run {
+  const char* design_point;
+  uint64_t walk_most;
+};
+
+class LostLines : public testing::TestWithParam<Run> {
  protected:
   void SetUp() override {
     SimulateOptions options;
-    options.config = find_design_point(GetParam()).config;
+    options.config = find_design_point(GetParam().design_point).config;
+    options.walk_most = GetParam().walk_most;
     const int side = options.config.window;
     simulate_golden(random_scene(3, 300, 1), test_camera(side, side, 60), options, simulation_);
     window_ = golden_window(simulation_.input, 0, 0);
@@ -75,27 +84,34 @@ class LostLines : public testing::TestWithParam<const char*> {
     }
     return steps;
   }
-  // Mismatches of a machine that blends these; `mask` changes that of the sorted splat of this number.
-  uint64_t mismatches(const std::vector<Step>& steps, size_t changed = ~size_t{0}, uint64_t mask = 0) {
+  // Mismatches of a machine that blends these; `mask` changes that of the sorted splat of this number, and the chunk
+  // that begins with `lost` does not come.
+  uint64_t mismatches(const std::vector<Step>& steps, size_t changed = ~size_t{0}, uint64_t mask = 0,
+                      uint64_t lost = ~uint64_t{0}) {
     StreamCheck check(simulation_.input);
-    show_chunks(check);
+    show_chunks(check, lost);
     std::vector<uint32_t> words(record_words<Sorted>(config()));
     const auto shown = [&](Splat splat) {
       std::fill(words.begin(), words.end(), 0);
       pack(config(), splat, words.data());
       return words.data();
     };
-    size_t number = 0;
+    const auto all_end = [&](uint64_t kind) {
+      for (int unit = 0; unit < config().units; ++unit) check.on_splat(unit, shown({.kind = kind}));
+    };
+    size_t number = 0, walk = 0;
     for (size_t layer = 0; layer < std::max<size_t>(1, window_.layers.size()); ++layer) {
       const bool last = layer + 1 >= window_.layers.size();
       const Splat end{.kind = last ? kWindowEnd : kLayerEnd};
       for (size_t i = 0; !window_.layers.empty() && i < window_.layers[layer].splats.size(); ++i, ++number) {
         Splat splat = window_.layers[layer].splats[i].splat;
+        for (; window_.in_parts() && walk_part(config(), window_.walks[walk]) != splat.part; ++walk) all_end(kPartEnd);
         check.on_splat(0, shown(splat));
         if (number == changed) splat.mask ^= mask;
         check.on_sorted(shown(splat));
       }
-      for (int unit = 0; unit < config().units; ++unit) check.on_splat(unit, shown(end));
+      for (; walk + 1 < window_.walks.size(); ++walk) all_end(kPartEnd);
+      all_end(end.kind);
       check.on_sorted(shown(end));
     }
     std::vector<RegionState> regions = fresh();
@@ -104,15 +120,19 @@ class LostLines : public testing::TestWithParam<const char*> {
     first_ = check.first() ? check.first()->what : "";
     return check.mismatches();
   }
-  void show_chunks(StreamCheck& check) const {
+  // What the DOPU sends for the window.
+  void each_chunk(const std::function<void(int, const Chunk&, uint64_t)>& each) const {
+    const GoldenInput& input = simulation_.input;
+    if (!config().has_watermarks()) dopu_window(config(), input.frame, *input.packed, 0, 0, each);
+    for (const uint64_t walk : window_.walks) dopu_nearest(config(), input.frame, *input.packed, 0, 0, walk, each);
+  }
+  void show_chunks(StreamCheck& check, uint64_t lost) const {
     std::vector<uint32_t> words(record_words<Chunk>(config()));
-    const auto send = [&](int, const Chunk& chunk, uint64_t) {
+    each_chunk([&](int, const Chunk& chunk, uint64_t) {
+      if (chunk.slot == lost) return;
       pack(config(), chunk, words.data());
       check.on_chunk(0, kData, words.data());
-    };
-    const GoldenInput& input = simulation_.input;
-    if (config().has_watermarks()) dopu_nearest(config(), input.frame, *input.packed, 0, 0, send);
-    else dopu_window(config(), input.frame, *input.packed, 0, 0, send);
+    });
     for (int unit = 0; unit < config().units; ++unit) check.on_chunk(unit, kWindowEnd, words.data());
   }
   void show(StreamCheck& check, const Step& step, RegionState& region) const {
@@ -205,7 +225,26 @@ TEST_P(LostLines, AChangedMaskOfASortedSplatIsSeen) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(DesignPoints, LostLines, testing::Values("dop", "exact", "fast"));
+// Of Gaussians of which a line was blended.
+TEST_P(LostLines, AChunkThatLacksIsSeen) {
+  std::set<uint64_t> blended;
+  for (const Step& step : steps_) blended.insert(step.splat->splat.index);
+  std::set<uint64_t> slots;
+  each_chunk([&](int, const Chunk& chunk, uint64_t) {
+    for (uint64_t slot = chunk.slot; slot < chunk.slot + chunk.count; ++slot) {
+      if (blended.contains(simulation_.packed.gaussians[slot].index)) slots.insert(chunk.slot);
+    }
+  });
+  ASSERT_GT(slots.size(), 1u);
+  for (const uint64_t slot : slots) {
+    EXPECT_GT(mismatches(steps_, ~size_t{0}, 0, slot), 0u) << "chunk of slot " << slot;
+    EXPECT_NE(first_.find("its chunk, found it missing"), std::string::npos) << first_;
+  }
+}
+
+// By a window that goes whole, and by parts.
+INSTANTIATE_TEST_SUITE_P(DesignPoints, LostLines,
+                         testing::Values(Run{"dop", 0}, Run{"exact", 0}, Run{"fast", 0}, Run{"fast", 1}));
 
 }  // namespace
 }  // namespace pipegs

@@ -179,7 +179,7 @@ TEST_F(SiliconCli, SeesWhatSwitchesInAMachineThatRuns) {
 // A machine that differs, that hangs, that does not build: none of its figures is kept or shown.
 TEST_F(SiliconCli, FiguresAreThoseOfAMachineThatAgrees) {
   Json small = synth();
-  small["configuration"] = "units=1,alpha_lines=64,records=16";
+  small["configuration"] = "units=1,pace=4,alpha_lines=64,records=16";
   plant(small.dump(), small["configuration"]);
   const std::string command = silicon_ + "--store kept ";
   const std::string measure = command + smallest_;

@@ -35,7 +35,6 @@ struct SuBench : Bench<Vpipegs_su> {
     write_frame(kConfig, dut, frame);
     dut.unit_i = unit;
     dut.octave_i = kOctave;
-    dut.spill_i = 0;
     reset();
   }
   // One cycle; the module sees the edge only when it asked for it.

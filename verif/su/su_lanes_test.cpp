@@ -29,7 +29,7 @@ struct Lane {
     write_frame(kConfig, dut, frame);
     dut.unit_i = number;
     dut.octave_i = kOctave;
-    dut.in_valid_i = dut.out_ready_i = dut.spill_i = dut.mem_ready_i = dut.rsp_valid_i = 0;
+    dut.in_valid_i = dut.out_ready_i = dut.mem_ready_i = dut.rsp_valid_i = 0;
   }
   Vpipegs_su dut;
   ExternalMemory memory;
@@ -81,7 +81,6 @@ struct LanesBench : BenchBase {
   }
   void step() {
     deal();
-    unsigned spilling = 0;
     for (const auto& lane : lanes) {
       Vpipegs_su& dut = lane->dut;
       dut.clk_i = 0;
@@ -95,13 +94,11 @@ struct LanesBench : BenchBase {
       if (answer != nullptr) write_port(dut.rsp_data_i, answer->data.data());
       dut.out_ready_i = 0;
       dut.eval();
-      spilling = spilling << 1 | dut.spilling_o;
     }
     merge(goes(sink, rng));
     for (size_t k = 0; k < lanes.size(); ++k) {
       Lane& lane = *lanes[k];
       Vpipegs_su& dut = lane.dut;
-      dut.spill_i = (spilling & ~(1u << (lanes.size() - 1 - k))) != 0;
       dut.eval();
       if (lane.up && dut.in_ready_o) {
         lane.queue.pop_front();
@@ -185,12 +182,13 @@ struct LanesBench : BenchBase {
       target.push_back(lane);
       if (beat.kind == kData) {
         open.push_back(beat);
-      } else if (!kConfig.has_watermarks() || beat.kind == kWindowEnd) {
+      } else if (!kConfig.has_watermarks() || beat.kind != kLayerEnd) {
         su_sort(open);
         expected.insert(expected.end(), open.begin(), open.end());
+        open.clear();
+        if (beat.kind == kPartEnd) continue;
         expected.emplace_back();
         expected.back().kind = beat.kind;
-        open.clear();
       }
     }
   }

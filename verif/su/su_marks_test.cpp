@@ -8,9 +8,6 @@ namespace {
 
 Splat random_splat(std::mt19937_64& rng) { return random_record<Splat>(kConfig, rng); }
 
-// How the other SUs seem to be doing.
-enum class Others { kWell, kSpill, kNow };
-
 struct MarksBench : SuBench {
   using SuBench::SuBench;
   void push(const std::vector<Splat>& beats) {
@@ -47,11 +44,7 @@ TEST(SuMarks, SortsWindowsAtEveryPace) {
         for (int i = 0; i < 6; ++i)
           bench.window(rng() % std::min<size_t>(most, 700),
                        rng() % 4 ? static_cast<int>(rng() % (Config::window_marks() + 1)) : 0);
-        while (bench.out.size() < bench.expected.size() && bench.cycle < 1000000) {
-          if (rng() % 300 == 0) bench.dut.spill_i = rng() % 4 == 0;  // may be heeded or not
-          bench.step();
-        }
-        bench.check(1000);
+        bench.check(1000000);
         overflowed += bench.overflowed;
         if (testing::Test::HasFailure()) return;
       }
@@ -67,14 +60,9 @@ TEST(SuMarks, GatingItsClockChangesNoCycle) {
       for (const bool gated : {false, true}) {
         MarksBench bench(source, sink, gated);
         std::mt19937_64 rng(test_seed() + 7);
-        for (const size_t count : {5, 0, 30, 100})
+        for (const size_t count : {5, 0, 30, 100, kConfig.records + 30})
           bench.push(su_window(kConfig, count, static_cast<int>(rng() % 9), false, rng, random_splat));
-        while (bench.out.size() < bench.expected.size() && bench.cycle < 100000) {
-          bench.dut.spill_i = bench.cycle / 100 % 7 == 0;
-          bench.step();
-        }
-        bench.dut.spill_i = 0;
-        bench.check(1000);
+        bench.check(1000000);
         cycles[gated] = bench.out.cycles;
       }
       ASSERT_EQ(cycles[0], cycles[1]) << "source " << to_text(source) << ", sink " << to_text(sink);
@@ -114,55 +102,84 @@ TEST(SuMarks, FreesSlotsOfReleasedRecordsWithinAWindow) {
   EXPECT_EQ(bench.overflowed, 0u);
 }
 
-TEST(SuMarks, RemembersMarksWhileItSpills) {
-  for (const bool first : {false, true}) {
-    MarksBench bench(Pace::kAlways, Pace::kCoin, true);
-    const size_t records = kConfig.records;
+// A bucket holds more than the pool: the mark behind it ends the spill. What is left returns to the pool, and what
+// comes later stays in it, or it goes on in memory if it is more than half a pool.
+TEST(SuMarks, ASpillEndsWithTheNextMark) {
+  const auto records = static_cast<uint64_t>(kConfig.records);
+  for (const uint64_t left : {uint64_t{0}, uint64_t{1}, records / 2, records / 2 + 1, 3 * records}) {
+    MarksBench bench(Pace::kAlways, Pace::kAlways, left % 2 == 0);
     std::vector<Splat> beats;
-    if (first) beats.push_back(bench.end(kLayerEnd, depth_of(3)));
-    for (size_t i = 0; i < records + 5; ++i) beats.push_back(bench.data(depth_of(3 + i % 40) + i));
-    for (uint64_t bucket = 3; bucket < 33; ++bucket) {
-      beats.push_back(bench.end(kLayerEnd, depth_of(bucket)));
-      if (bucket % 3 == 0) beats.push_back(bench.data(depth_of(bucket + bench.rng() % 5)));
-    }
-    beats.push_back(bench.end(kWindowEnd, 0));
+    for (uint64_t i = 0; i < left; ++i) beats.push_back(bench.data(depth_of(9 + i % 2) + i));
+    for (uint64_t i = 0; i < records + 5; ++i) beats.push_back(bench.data(depth_of(4) + i));
+    beats.push_back(bench.end(kLayerEnd, depth_of(8)));
     bench.push(beats);
-    bench.window(records / 4, 3);
+    bench.run_until_sent(records + 5, 100 * records + 10000);
+    bench.blocked = true;  // the mark waits for the merge, and what is left for the mark
+    for (uint64_t i = 0; i < 60 * records + 5000; ++i) bench.step();
+    bench.blocked = false;
+    for (uint64_t i = 0; i < 60 * records + 5000; ++i) bench.step();
+    EXPECT_EQ(bench.out.size(), records + 5 + 1) << left << " are left";
+    const bool stays = left > records / 2;
+    EXPECT_EQ(bench.dut.spilling_o, stays) << left << " are left";
+    const uint64_t before = bench.overflowed;
+    beats.clear();
+    for (uint64_t i = 0; i < records / 2; ++i) beats.push_back(bench.data(depth_of(11) + i));
+    beats.push_back(bench.end(kLayerEnd, depth_of(10)));
+    bench.push(beats);
+    bench.run_until_sent(bench.out.size() + (left + 1) / 2 + 1, 100 * (records + left) + 10000);
+    EXPECT_EQ(bench.overflowed > before, stays) << left << " are left";
+    bench.push({bench.end(kWindowEnd, 0)});
+    bench.window(records / 2, 5);
     bench.check(1000000);
-    EXPECT_GT(bench.overflowed, records);
   }
 }
 
-TEST(SuMarks, SpillsInsteadOfWaitingWhenAnotherSpills) {
-  for (const Others others : {Others::kWell, Others::kSpill, Others::kNow}) {
-    MarksBench bench(Pace::kAlways, Pace::kAlways, others == Others::kSpill);
-    const size_t records = kConfig.records;
+// Whatever the marks do, twice as many records are written at most, and a mark reads the list once. Rounds of two
+// buckets each: all come before the first mark, or most is left in memory at each mark, or half a pool returns.
+enum class Rounds { kAtOnce, kStay, kReturn };
+
+TEST(SuMarks, WritesAtMostTwiceAsManyRecordsAsCome) {
+  const auto records = static_cast<uint64_t>(kConfig.records), last = records > 100 ? uint64_t{10} : uint64_t{26};
+  for (const Rounds rounds : {Rounds::kAtOnce, Rounds::kStay, Rounds::kReturn}) {
+    MarksBench bench(Pace::kAlways, Pace::kAlways, true);
+    uint64_t count = 0;
     std::vector<Splat> beats;
-    for (size_t i = 0; i < records / 2; ++i) beats.push_back(bench.data(kNear + i));
-    beats.push_back(bench.end(kLayerEnd, depth_of(20)));
-    for (size_t i = 0; i < 2 * records; ++i) beats.push_back(bench.data(depth_of(21 + i % 3) + i));
-    beats.push_back(bench.end(kLayerEnd, depth_of(22)));
+    const auto add = [&](uint64_t bucket) {
+      const uint64_t here = rounds == Rounds::kAtOnce ? records / 4 + 3 : records - 1;
+      for (uint64_t i = 0; i < here; ++i, ++count) beats.push_back(bench.data(depth_of(bucket + i % 2) + i));
+    };
+    for (uint64_t bucket = 2; rounds == Rounds::kAtOnce && bucket < last; ++bucket) add(bucket);
+    for (uint64_t bucket = 2; bucket < last; ++bucket) {
+      if (rounds != Rounds::kAtOnce) add(bucket);
+      beats.push_back(bench.end(kLayerEnd, depth_of(bucket + (rounds == Rounds::kReturn ? 1 : 0))));
+    }
     beats.push_back(bench.end(kWindowEnd, 0));
     bench.push(beats);
-    bench.blocked = true;  // the merge waits for another SU
-    bench.dut.spill_i = others == Others::kSpill;
-    for (size_t i = 0; i < 20 * records + 1000; ++i) bench.step();
-    EXPECT_FALSE(bench.dut.spilling_o);
-    if (others == Others::kSpill) {
-      EXPECT_EQ(bench.in.taken, beats.size()) << "a spilling SU never blocks";
-    } else {
-      EXPECT_LT(bench.in.taken, records + 3 + 2);  // two wait in front
-      EXPECT_EQ(bench.overflowed, 0u);
-    }
-    if (others == Others::kNow) {
-      bench.dut.spill_i = 1;
-      for (size_t i = 0; i < 20 * records + 1000; ++i) bench.step();
-      EXPECT_EQ(bench.in.taken, beats.size());
-    }
-    bench.blocked = false;
-    bench.dut.spill_i = 0;
-    bench.check(1000000);
+    bench.check(10000000);
+    std::printf("%d records: %d lines written, %d read\n", static_cast<int>(count), static_cast<int>(bench.overflowed),
+                static_cast<int>(bench.fetched));
+    EXPECT_GT(bench.overflowed, count);
+    EXPECT_LE(bench.overflowed, (rounds == Rounds::kReturn ? 2 : 1) * (count + count / 8 + 24) + count / 4 + 24);
+    EXPECT_LE(bench.fetched, 2 * count + count / 4 + last * (count / 8 + 1));
   }
+}
+
+TEST(SuMarks, WaitsWhenWhatItReleasedIsBlocked) {
+  MarksBench bench(Pace::kAlways, Pace::kAlways, true);
+  const size_t records = kConfig.records;
+  std::vector<Splat> beats;
+  for (size_t i = 0; i < records / 2; ++i) beats.push_back(bench.data(kNear + i));
+  beats.push_back(bench.end(kLayerEnd, depth_of(20)));
+  for (size_t i = 0; i < 2 * records; ++i) beats.push_back(bench.data(depth_of(21 + i % 3) + i));
+  beats.push_back(bench.end(kLayerEnd, depth_of(22)));
+  beats.push_back(bench.end(kWindowEnd, 0));
+  bench.push(beats);
+  bench.blocked = true;  // the merge waits for another SU
+  for (size_t i = 0; i < 20 * records + 1000; ++i) bench.step();
+  EXPECT_LT(bench.in.taken, records + 3 + 2);  // two wait in front
+  EXPECT_EQ(bench.overflowed, 0u);
+  bench.blocked = false;
+  bench.check(1000000);
 }
 
 TEST(SuMarks, TheNearestBucketIsReadyAtOnce) {

@@ -69,6 +69,31 @@ TEST(Su, SortsLargeLayersOfEveryArrangement) {
   }
 }
 
+// Runs are made while the set still grows, of whole lines of its list.
+TEST(Su, SortsWhatIsInMemoryWhileTheSetStillGrows) {
+  const size_t records = kConfig.records;
+  SuBench bench(Pace::kAlways, Pace::kAlways, true);
+  std::vector<Splat> splats;
+  const auto push = [&](size_t count) {
+    for (const uint64_t key : su_keys(kConfig, Arrangement::kRandom, count, bench.rng)) {
+      Splat splat = random_record<Splat>(kConfig, bench.rng);
+      splat.kind = kData;
+      splat.depth = key >> kConfig.index_w, splat.index = key & ((uint64_t{1} << kConfig.index_w) - 1);
+      splats.push_back(splat);
+      bench.in.push(splat);
+    }
+    for (size_t i = 0; i < 40 * records + 3000; ++i) bench.step();
+  };
+  push(2 * records + 3);
+  EXPECT_GE(bench.fetched, records / 8);
+  push(5);
+  su_sort(splats);
+  bench.expected = splats;
+  bench.expected.push_back({.kind = kLayerEnd});
+  bench.in.push({.kind = kLayerEnd});
+  bench.check(1000000);
+}
+
 TEST(Su, SortsFiveThousand) {
   std::mt19937_64 rng(test_seed() + 2);
   SuBench bench(Pace::kAlways, Pace::kAlways, true, memory_options(rng));
@@ -120,7 +145,7 @@ TEST(Su, StopsWhenAnAreaIsFull) {
       EXPECT_EQ(bench.dut.mem_valid_o, 0);
       const uint64_t line = bench.dut.full_line_o;
       bool at_end = false;
-      for (const Area area : {Area::kKeys, Area::kRuns, Area::kRecords})
+      for (const Area area : {Area::kKeys, Area::kMerged, Area::kRuns, Area::kRecords})
         at_end |= line == first(area) + area_lines(kConfig, lines, area);
       EXPECT_TRUE(at_end) << "line " << line << " of " << lines;
       continue;

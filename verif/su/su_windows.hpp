@@ -11,8 +11,8 @@
 
 namespace pipegs {
 
-// A window of about `count` splats with `marks` watermarks, its end included. The depths lie in a random part of the
-// range. With `layers` every mark ends a layer and depths are random in each.
+// A window, or a walk of a part, of about `count` splats with `marks` watermarks, its end included. The depths lie in a
+// random part of the range. With `layers` every mark ends a layer and depths are random in each.
 template <class Rng>
 std::vector<Splat> su_window(const Config& config, size_t count, int marks, bool layers, Rng& rng,
                              const auto& random_splat) {
@@ -41,7 +41,8 @@ std::vector<Splat> su_window(const Config& config, size_t count, int marks, bool
       beats.push_back(splat);
     }
     Splat end = random_splat(rng);
-    end.kind = i == marks ? kWindowEnd : kLayerEnd;
+    const bool part = config.has_watermarks() && rng() % 3 == 0;  // not its window's last walk
+    end.kind = i != marks ? kLayerEnd : part ? kPartEnd : kWindowEnd;
     end.depth = cuts[i];
     beats.push_back(end);
     low = cuts[i];

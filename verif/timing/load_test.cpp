@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // load_test: one window with far more splats than the Sorting Units hold, on the timing model.
 //
-// Rule    Cycles and bytes of a splat do not depend on how the depths are spread, and hardly on how many there are: a
-//         set that does not fit is merged from memory in n log n, and each of its records moves there and back once.
-// Prints  a line for each number of splats, with all spreads: docs/cycles/cycles.md shows them.
+// Rule    Cycles and bytes of a splat hardly depend on how the depths are spread, nor on how many there are: a set that
+//         does not fit is merged from memory in n log n, and each of its records moves there and back at most twice.
+//         Only the list of its keys is read for each watermark that passes meanwhile; a million wait for many of them.
+// Prints  a line for each number of splats, with all spreads: docs/cycles/scale.md shows them.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -53,7 +54,7 @@ struct Cost {
   double cycles = 0, sorting = 0;  // of a splat; bytes of the sort overflow
 };
 
-// By `fast`: exact order, windows of 128 pixels, so that all of them are one set.
+// By `fast`: exact order, windows of 128 pixels. What is too much at one depth for one set goes part by part.
 Cost cost(const std::string& name, size_t count) {
   SimulateOptions options;
   options.memory.dram = "lpddr5-6400x4";
@@ -70,24 +71,28 @@ Cost cost(const std::string& name, size_t count) {
   return {static_cast<double>(run.cycles) / splats, bytes / splats};
 }
 
-// A PU takes a splat every eight cycles, so four PUs need two. A record is 64 bytes: to memory and back it and its key
+// A PU takes a splat every four cycles, so four PUs need one. A record is 64 bytes: to memory and back it and its key
 // take at most three times as many. Memory moves some 50 bytes in a cycle at best, and half of that here: the ways of a
-// merge lie in rows of their own, so that banks change rows for nearly every line.
-void expect_one_pace(size_t count) {
+// merge lie in rows of their own, so that banks change rows for nearly every line. `readings`: how often all of a list,
+// on the average, is read beyond that, eight bytes and a cycle of one of four SUs for each key.
+void expect_one_pace(size_t count, int readings = 0) {
   std::string line;
+  double most = 0;
   for (const auto& [name, depth] : depths()) {
     const Cost found = cost(name, count);
-    EXPECT_LE(found.cycles, 9.5) << name;
-    EXPECT_LE(found.sorting, 3 * 64) << name;
-    if (count > 10000) EXPECT_GT(found.sorting, 64) << name << ": its set fits";
+    EXPECT_LE(found.cycles, 9.5 + 0.25 * readings) << name;
+    EXPECT_LE(found.sorting, 3 * 64 + 8 * readings) << name;
+    if (name == "equal" && count > 10000) EXPECT_GT(found.sorting, 64) << "all at one depth fit";
+    most = std::max(most, found.sorting);
     line += fmt::format("; {} {:.2f}, {:.1f}", name, found.cycles, found.sorting);
   }
+  EXPECT_GT(most, 64) << "every set fits";
   fmt::print("{} splats, cycles and bytes of sorting for each{}\n", count, line);
 }
 
 TEST(Load, TenThousandSplatsInAWindow) { expect_one_pace(10000); }
 TEST(Load, AHundredThousand) { expect_one_pace(100000); }
-TEST(Load, AMillion) { expect_one_pace(1000000); }
+TEST(Load, AMillion) { expect_one_pace(1000000, 10); }
 
 }  // namespace
 }  // namespace pipegs

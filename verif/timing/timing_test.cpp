@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <random>
 
 #include "scenes/generate/generate.hpp"
 #include "sim/design/design_point.hpp"
@@ -16,6 +17,7 @@
 #include "sim/timing/timing_check.hpp"
 #include "verif/frame/machines.hpp"
 #include "verif/frame/scenes.hpp"
+#include "verif/support/draws.hpp"
 
 namespace pipegs {
 namespace {
@@ -125,6 +127,66 @@ TEST(Timing, WindowsOfFourParts) {
   EXPECT_EQ(frame.run().cycles, frame.run({.every_cycle = true}).cycles);
 }
 
+// Windows are counted, and go whole or by parts, also with more than the SUs hold.
+TEST(Timing, WindowsWalkedPartByPart) {
+  for (const uint64_t most : {0, 1, 600}) {
+    SCOPED_TRACE(most);
+    SimulateOptions options = design_point("fast");
+    options.walk_most = most;
+    expect_exact(TimedFrame({random_scene(9, 900, 0), test_camera(300, 150)}, options));
+    options.memory = {.dram = "ideal", .latency = 2, .bytes_per_cycle = 64, .jitter = 3};
+    const TimedFrame frame({random_scene(9, 900, 0), test_camera(130, 97)}, options);
+    expect_exact(frame);
+    EXPECT_EQ(frame.run().cycles, frame.run({.every_cycle = true}).cycles);
+  }
+  SimulateOptions options = design_point("fast");
+  options.walk_most = 1;
+  expect_exact(TimedFrame(own_view(), options, 3));
+  std::vector<Gaussian> wall;  // one depth: no watermark releases any of it
+  for (int i = 0; i < 28900; ++i) {
+    const float x = 0.008f * static_cast<float>(i % 170), y = 0.008f * static_cast<float>(i / 170);
+    wall.push_back(gaussian_at({x - 0.68f, y - 0.68f, 2}, 0.006f, 0.02));
+  }
+  EXPECT_GT(expect_exact(TimedFrame({scene_of(wall), test_camera(128, 128)}, options)), 0u);
+}
+
+// A wall that is opaque from the left on, and much behind it: regions close one after the other, all at once, or never.
+Scene wall_before(int columns, float opacity) {
+  std::vector<Gaussian> all;
+  for (int i = 0; i < columns * 24; ++i) {
+    const float x = 0.06f * static_cast<float>(i % columns) - 0.7f, y = 0.06f * static_cast<float>(i / columns) - 0.7f;
+    for (int layer = 0; layer < 3; ++layer)
+      all.push_back(gaussian_at({x, y, 2 + 0.01f * static_cast<float>(layer)}, 0.08f, opacity));
+  }
+  std::mt19937_64 rng(5);
+  for (int i = 0; i < 6000; ++i) {
+    const auto at = [&](double low, double high) { return static_cast<float>(draw_uniform(rng, low, high)); };
+    const float z = at(2.5, 8);
+    const float x = z * at(-0.4, 0.4), y = z * at(-0.4, 0.4);
+    all.push_back(gaussian_at({x, y, z}, 0.02f, 0.3f));
+  }
+  return scene_of(all);
+}
+
+TEST(Timing, WhatLiesBesideTheOpenRectangleIsLeftOut) {
+  for (const size_t number : todays({kFast, kCrowded})) {
+    SimulateOptions options = frame_machine(number);
+    if (number != kFast) expect_exact(TimedFrame(own_view(), options, 3));
+    for (const int columns : {0, 6, 17, 24}) {
+      for (const uint64_t most : {0, 1}) {
+        SCOPED_TRACE(columns);
+        options.walk_most = most;
+        const TimedFrame frame({wall_before(columns, 0.99f), test_camera(300, 150)}, options);
+        expect_exact(frame);
+        EXPECT_EQ(frame.run().cycles, frame.run({.every_cycle = true}).cycles);
+      }
+    }
+    options.memory = {.dram = "ideal", .latency = 2, .bytes_per_cycle = 64, .jitter = 3};
+    expect_exact(TimedFrame({wall_before(24, 0.99f), test_camera(130, 97)}, options));
+    expect_exact(TimedFrame({wall_before(24, 0.5f), test_camera(130, 97)}, options));
+  }
+}
+
 TEST(Timing, OtherMemories) {
   for (const char* name : {"dop", "late", "tspp", "exact"}) {
     SimulateOptions options = design_point(name);
@@ -216,9 +278,9 @@ TEST(Timing, SteppingEveryUnitInEveryCycleChangesNothing) {
     for (const bool tiny : {false, true}) {
       SimulateOptions options = design_point(one.name);
       if (tiny) {
-        for (const char* setting : {"alpha_lines=64", "fetch_lines=4", "nearest_nodes=16"})
+        for (const char* setting : {"alpha_lines=64", "fetch_lines=4", "records=16"})
           config_set(options.config, setting);
-        config_set(options.config, "records=16");
+        options.config.nearest_nodes = options.config.has_walks() ? 128 : 16;
       }
       const TimedFrame frame(own_view(), options, 2);
       const TimingResult woken = frame.run(), always = frame.run({.every_cycle = true});

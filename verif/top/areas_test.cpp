@@ -20,7 +20,7 @@ std::vector<Part> parts(const Config& config, uint64_t size) {
   };
   if (config.has_lists()) add(0, Area::kLists);
   for (uint64_t unit = 0; unit < static_cast<uint64_t>(config.units); ++unit) {
-    for (const Area area : {Area::kKeys, Area::kRuns, Area::kRecords}) add(unit, area);
+    for (const Area area : {Area::kKeys, Area::kMerged, Area::kRuns, Area::kRecords}) add(unit, area);
     if (has_alpha_areas(config)) add(unit, Area::kEven);
     if (has_alpha_areas(config) && !config.has_lists()) add(unit, Area::kOdd);
   }
@@ -54,7 +54,7 @@ TEST(Areas, LieBesideEachOtherInAnAreaOfAnySize) {
         sum += part.lines;
       }
       ASSERT_LE(end, size) << config_difference(config) << ", size " << size;
-      if (size % 64 == 0) { ASSERT_EQ(sum, size) << config_difference(config); }  // nothing is left over
+      if (size % 128 == 0) { ASSERT_EQ(sum, size) << config_difference(config); }  // nothing is left over
     }
   }
 }
@@ -71,7 +71,8 @@ TEST(Areas, HaveRoomForTheSmallestAndTheLargestScene) {
         SCOPED_TRACE(config_difference(config) + ", " + std::to_string(slots) + " slots");
         EXPECT_LE(size, 4 * kGibibyte + (config.has_lists() ? 2 * list_first(windows, 0) : 0));
         EXPECT_TRUE(has(Area::kRecords, std::min(slots, per_unit)));
-        EXPECT_TRUE(has(Area::kKeys, std::min(slots, per_unit) / 4 + 2) && has(Area::kRuns, slots == 0 ? 0 : 2));
+        EXPECT_TRUE(has(Area::kKeys, std::min(slots, per_unit) / 8 + 2) && has(Area::kRuns, slots == 0 ? 0 : 2));
+        EXPECT_TRUE(has(Area::kMerged, std::min(slots, per_unit) / 6));
         if (has_alpha_areas(config)) EXPECT_TRUE(has(Area::kEven, std::min(64 * slots, per_unit)));
         if (!config.has_lists()) continue;
         const uint64_t lines = area_lines(config, size, Area::kLists);

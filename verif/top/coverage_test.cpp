@@ -2,9 +2,9 @@
 // coverage_test: which lines of the default machine's RTL frames execute: a report, and a floor.
 //
 // Idea    The machine is linked here with Verilator's counters (--coverage-line): one for each block of statements and
-//         each branch of the RTL, of all instances of a module together. A window of our own scene, hostile views and
-//         one in which the Sorting Units spill are drawn, and compared as always. What none of them executes is printed
-//         by module, with its lines; unit tests and proofs may reach it.
+//         each branch of the RTL, of all instances of a module together. A window of our own scene, hostile views, and
+//         windows in which the Sorting Units spill, some whole and some in parts, are drawn, and compared as always.
+//         What none of them executes is printed by module, with its lines; unit tests and proofs may reach it.
 // Rule    Fewer executed than kFloor fails: a change of the RTL that frames do not reach, or views that reach less.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -18,6 +18,7 @@
 
 #include "scenes/generate/generate.hpp"
 #include "sim/bounds/hostile_scene.hpp"
+#include "verif/frame/scenes.hpp"
 #include "verif/scenes/scratch_folder.hpp"
 #include "verif/support/config.hpp"
 #include "verif/top/linked_machine.hpp"
@@ -25,7 +26,7 @@
 namespace pipegs {
 namespace {
 
-constexpr double kFloor = 97.8;  // per cent
+constexpr double kFloor = 98.0;  // per cent
 
 class Coverage {
  public:
@@ -83,6 +84,20 @@ class Coverage {
   std::map<std::string, std::map<Point, bool>> modules_;
 };
 
+// More than Sorting Units hold: rows of specks that begin at one depth, so that all are fetched before any leaves, and
+// specks at the depth of the rows' ends, which still find a place when what is before them has left.
+Scene rows_of_specks(int rows) {
+  std::vector<Gaussian> gaussians;
+  const auto add = [&](float x, float y, float z) { gaussians.push_back(gaussian_at({x, y, z}, 0.02f, 0.3)); };
+  for (int i = 0; i < rows; ++i) {
+    const float x = 0.3f * static_cast<float>(i % 21 - 10), y = 0.3f * static_cast<float>(i / 21 % 21 - 10);
+    for (int k = 0; k < 16; ++k) add(x, y, 2 + 0.03f * static_cast<float>(k));
+  }
+  for (int i = 0; i < 500; ++i)
+    add(0.15f + 0.3f * static_cast<float>(i % 20 - 10), 0.15f + 0.3f * static_cast<float>(i / 20 % 20 - 10), 2.45f);
+  return scene_of(std::move(gaussians));
+}
+
 TEST(Coverage, FramesExecuteTheDefaultMachine) {
   SimulateOptions options;
   options.config = test_config();
@@ -104,6 +119,11 @@ TEST(Coverage, FramesExecuteTheDefaultMachine) {
   for (const StressView& view : views) {
     options.near_plane = view.near_plane;
     draw(view.scene, view.camera);
+  }
+  options.near_plane = SimulateOptions{}.near_plane;
+  for (const uint64_t most : {0, 1000}) {
+    options.walk_most = most;
+    draw(rows_of_specks(1200), test_camera(64, 64, 10));
   }
   EXPECT_GE(coverage.report(), kFloor) << "per cent of what stands in the RTL was executed";
 }

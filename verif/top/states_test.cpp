@@ -168,8 +168,9 @@ TEST_F(States, OneStateForAnotherIsSeen) {
   }
 }
 
-// Of those that are another one in a single cycle. What a unit does with nothing at its borders stays open.
-TEST_F(States, MostSingleStatesAreSeen) {
+// Of those that are another one in a single cycle. What a unit does with nothing at its borders stays open; of the DOPU
+// that is more than half, as most nodes that it tests lead to no chunk.
+TEST_F(States, ManySingleStatesAreSeen) {
   std::mt19937_64 rng(1);
   const size_t cycles = run().shown.size();
   for (size_t kind = 0; kind < 4; ++kind) {
@@ -187,7 +188,8 @@ TEST_F(States, MostSingleStatesAreSeen) {
       return wrong.unit == kUnits[kind] && places.count(wrong.cycle) != 0;
     });
     fmt::print("{}: {} of {} single states are seen\n", kUnits[kind], seen, places.size());
-    EXPECT_GE(seen, static_cast<int64_t>(places.size()) / 2) << kUnits[kind];
+    const int64_t percent = kind == 0 ? 40 : 50;
+    EXPECT_GE(seen, static_cast<int64_t>(places.size()) * percent / 100) << kUnits[kind];
   }
 }
 
@@ -311,6 +313,46 @@ TEST_F(States, TheComparisonOfFramesHearsThem) {
   sums.finish(counters);
   ASSERT_EQ(sums.frame(0).mismatches(), 1u);
   EXPECT_EQ(sums.frame(0).first()->who, "RU 1");
+}
+
+// All at one depth, more than the pools hold: SUs spill, and the DOPU has read more nodes than it can send.
+TEST(StatesWhileSpilling, ADopuThatMakesAChunkIsBusy) {
+  std::vector<Gaussian> gaussians;
+  for (int i = 0; i < 14000; ++i)
+    gaussians.push_back(gaussian_at(
+        {0.0054f * static_cast<float>(i % 118 - 59), 0.0054f * static_cast<float>(i / 118 - 59), 2}, 0.02f, 0.99));
+  const SimulateOptions options = machine(kExact);
+  Simulation simulation;
+  simulate_golden(scene_of(gaussians), test_camera(64, 64), options, simulation);
+  simulate_rtl(options, simulation);
+  EXPECT_GT(simulation.rtl.overflow_lines, 0u) << "no SU spills";
+  EXPECT_EQ(simulation.mismatches, 0u) << simulation.first_mismatch->what;
+}
+
+// Splats at one depth whose lines of alphas do not fit, and many more beside the window: while the DOPU looks through
+// these, a PU has nothing but the line that waits for a slow memory.
+TEST(StatesWhileSpilling, APuWithNothingButALineThatLeavesWaitsForMemory) {
+  std::vector<Gaussian> gaussians;
+  for (int i = 0; i < 500; ++i) {
+    const float step = 1e-4f * static_cast<float>(i);
+    gaussians.push_back(gaussian_at({0.1f * step, 0, 2 + step}, 0.8f, 0.02));
+  }
+  for (int i = 0; i < 20000; ++i) {
+    const float x = static_cast<float>(i % 141), y = static_cast<float>(i / 141 - 70);
+    gaussians.push_back(gaussian_at({3 + 0.01f * x, 0.02f * y, 2}, 0.01f, 0.5));
+  }
+  SimulateOptions options = machine(kHalf);
+  options.memory.bytes_per_cycle = 4, options.memory.queue = 1;
+  Recorder recorder(options.config);
+  options.taps = &recorder;
+  Simulation simulation;
+  simulate_golden(scene_of(std::move(gaussians)), test_camera(64, 64), options, simulation);
+  simulate_rtl(options, simulation);
+  EXPECT_EQ(simulation.mismatches, 0u) << simulation.first_mismatch->what;
+  EXPECT_TRUE(std::any_of(recorder.shown.begin(), recorder.shown.end(), [](const Shown& one) {
+    return ((one.border[kPuBusy] & 1) == 0 && one.states[1] == kMemory) ||
+           ((one.border[kPuBusy] & 2) == 0 && one.states[2] == kMemory);
+  })) << "no line waits alone";
 }
 
 }  // namespace

@@ -72,6 +72,21 @@ inline int dopu_depth(const Config& config, const Frame& frame, const Planes& pl
   return std::clamp(step - dopu_depth_near(config, frame), parent, (1 << config.bucket_w()) - 1);
 }
 
+// The same sum of the corner farthest along the view, of the box that meets the planes: about where the node ends. No
+// bound, and nothing needs one.
+inline int64_t dopu_depth_end(const Config& config, const Corners& box, const Plane& near) {
+  return near.nx * (near.nx >= 0 ? box.high[0] : box.low[0]) + near.ny * (near.ny >= 0 ? box.high[1] : box.low[1]) +
+         near.nz * (near.nz >= 0 ? box.high[2] : box.low[2]) + dopu_test_slack(config);
+}
+
+// The bucket in which a node ends; without regard to that in which it begins.
+inline int dopu_depth_far(const Config& config, const Frame& frame, const Planes& planes, const Node& node,
+                          int parent) {
+  const Corners box = dopu_test_corners(config, frame, node, dopu_depth_edge(config, frame, parent));
+  const int step = dopu_depth_step(config, dopu_depth_end(config, box, planes[kNear]), box.exponent - kNormalF);
+  return std::clamp(step - dopu_depth_near(config, frame), 0, (1 << config.bucket_w()) - 1);
+}
+
 // The edge of a bucket: no depth key in it, nor in any later one, is smaller.
 inline uint64_t dopu_depth_key(const Config& config, const Frame& frame, int bucket) {
   return static_cast<uint64_t>(dopu_depth_edge(config, frame, bucket)) << (config.depth_w - config.step_w());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// dopu_nearest: which chunks of a window go to the PUs, each with its bucket of depth, when the nearest goes first.
+// dopu_nearest: which chunks of a walk go to the PUs, each with its bucket of depth, when the nearest goes first.
 //
 // Paper   None: instead of the layers of Sec. 3.2.        RTL  rtl/dopu/nearest/dopu_nearest.sv
 // Idea    The walk is that of dopu_window, but a node is tested with what its parent's bucket says (dopu_hull): beyond
@@ -21,11 +21,11 @@
 
 namespace pipegs {
 
-// Calls chunk(bucket, chunk record, number of the chunk) for each chunk of the window, in the order of the tables.
+// Calls chunk(bucket, chunk record, number of the chunk) for each chunk of a walk, in the order of the tables.
 template <class Callback>
 void dopu_nearest(const Config& config, const Frame& frame, const PackedScene& scene, int window_x, int window_y,
-                  Callback&& chunk) {
-  const Planes planes = dopu_planes(config, frame, window_x, window_y);
+                  uint64_t walk, Callback&& chunk) {
+  const Planes planes = dopu_planes(config, frame, window_x, window_y, walk);
   const auto passes = [&](const Node& node, int parent) {
     return dopu_test(config, frame, planes, node, dopu_depth_edge(config, frame, parent));
   };
@@ -39,8 +39,9 @@ void dopu_nearest(const Config& config, const Frame& frame, const PackedScene& s
       for (uint64_t i = group.first; i < group.first + group.count; ++i) {
         const Node& node = scene.chunks[i];
         if (!passes(node, group_bucket)) continue;
-        chunk(dopu_depth(config, frame, planes, node, group_bucket),
-              dopu_origin(config, frame, node, window_x, window_y), i);
+        Chunk sent = dopu_origin(config, frame, node, window_x, window_y);
+        sent.walk = walk;
+        chunk(dopu_depth(config, frame, planes, node, group_bucket), sent, i);
       }
     }
   }

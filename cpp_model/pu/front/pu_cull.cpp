@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "cpp_model/dopu/walk.hpp"
 #include "cpp_model/fixed.hpp"
 #include "cpp_model/pu/pass.hpp"
 
@@ -33,13 +34,14 @@ int64_t scale_in_view(const Config& c, uint64_t scale, uint64_t opacity, uint64_
   return huge ? (int64_t{1} << (c.view_w - 1)) - 1 : s + 1;
 }
 
-// Does [x - reach s, x + reach s] touch the windows `window` to `last` along one axis? All at the common exponent.
-// `gap`: how far x is beyond them, times z.
+// Does [x - reach s, x + reach s] touch so many pixels from `pixel` on along one axis? All at the common exponent.
+// `gap`: how far x is beyond them, times z. Of the pixels so many at either end are closed: the test leaves them out,
+// the gap does not.
 bool touches(const Config& c, int64_t x, int64_t z, int64_t s, uint64_t focal, uint64_t reach, int64_t center,
-             uint64_t window, uint64_t last, int64_t& gap) {
-  const int64_t first = (static_cast<int64_t>(window) * c.window << kEdgeF) - (int64_t{c.reach_margin()} << kEdgeF);
-  const int64_t a = first - shift_ceil(center, c.center_f() - kEdgeF);  // s17.4, rounded down
-  const int64_t pixels = static_cast<int64_t>(last - window + 1) * c.window;
+             int64_t pixel, int64_t pixels, int64_t low_closed, int64_t high_closed, int64_t& gap, int64_t* low_most,
+             int64_t* high_most) {
+  const int64_t first = (pixel - c.reach_margin()) * (1 << kEdgeF);
+  const int64_t a = first - shift_ceil(center, c.center_f() - kEdgeF);       // s17.4, rounded down
   const int64_t span = ((pixels - 1 + 2 * c.reach_margin()) << kEdgeF) + 1;  // covers the rounding of a
   const int to_edge = c.focal_f() - kEdgeF;
   const int64_t f = static_cast<int64_t>(focal), r = shift_ceil(static_cast<int64_t>(reach), 8) << 8;
@@ -48,12 +50,20 @@ bool touches(const Config& c, int64_t x, int64_t z, int64_t s, uint64_t focal, u
   const int64_t low = fx + f - az + (std::max<int64_t>(-a, 0) << to_edge);
   const int64_t high = fx - az2 - (std::max<int64_t>(a2, 0) << to_edge);
   gap = (low < 0 ? -low : high) >> to_edge;
-  return low + rs >= 0 && high - rs <= 0;
+  const auto aside = [&](int64_t closed) { return ((closed << kEdgeF) * z) << to_edge; };
+  if (low_most != nullptr) {
+    // The most pixels that may be closed so that it still touches.
+    const int64_t step = aside(1);
+    *low_most = step > 0 ? (low + rs) / step : pixels;
+    *high_most = step > 0 ? (rs - high) / step : pixels;
+  }
+  return low - aside(low_closed) + rs >= 0 && high + aside(high_closed) - rs <= 0;
 }
 
 }  // namespace
 
-std::optional<Visible> pu_cull(const Config& c, const Frame& frame, const Fetched& in, uint64_t* behind, Gap* gap) {
+std::optional<Visible> pu_cull(const Config& c, const Frame& frame, const Fetched& in, uint64_t* behind, Gap* gap,
+                               const Closed& closed, Closed* most) {
   Visible out;
   out.kind = in.kind;
   if (in.kind != kData) return out;
@@ -78,15 +88,35 @@ std::optional<Visible> pu_cull(const Config& c, const Frame& frame, const Fetche
       std::max(0, bit_length(size(out.view_x) | size(out.view_y) | size(out.view_z) | size(s)) - magnitude_bits);
   const int64_t cut_x = out.view_x >> cut, cut_y = out.view_y >> cut, cut_z = out.view_z >> cut, cut_s = (s >> cut) + 1;
   Gap found{.x = cut_x, .y = cut_y, .z = cut_z, .cut = static_cast<uint64_t>(cut), .untested = huge};
-  const bool touches_x = touches(c, cut_x, cut_z, cut_s, frame.lens.focal_x, frame.lens.reach_x, frame.lens.center_x,
-                                 in.window_x, c.has_lists() ? frame.raster.windows.last_x : in.window_x, found.gap_x);
-  const bool touches_y = touches(c, cut_y, cut_z, cut_s, frame.lens.focal_y, frame.lens.reach_y, frame.lens.center_y,
-                                 in.window_y, c.has_lists() ? frame.raster.windows.last_y : in.window_y, found.gap_y);
+  const WalkSquare square = walk_square(c, in.walk);
+  const auto first = [&](uint64_t window, int64_t beside) { return static_cast<int64_t>(window) * c.window + beside; };
+  const auto pixels = [&](uint64_t window, uint64_t last) {
+    return c.has_lists() ? static_cast<int64_t>(last - window + 1) * c.window : square.side;
+  };
+  int64_t most_left = 0, most_right = 0, most_top = 0, most_bottom = 0;
+  const bool asked = most != nullptr;
+  const auto regions = [](uint64_t closed) { return static_cast<int64_t>(closed) * 8; };
+  const bool touches_x =
+      touches(c, cut_x, cut_z, cut_s, frame.lens.focal_x, frame.lens.reach_x, frame.lens.center_x,
+              first(in.window_x, square.x), pixels(in.window_x, frame.raster.windows.last_x), regions(closed.left),
+              regions(closed.right), found.gap_x, asked ? &most_left : nullptr, &most_right);
+  const bool touches_y =
+      touches(c, cut_y, cut_z, cut_s, frame.lens.focal_y, frame.lens.reach_y, frame.lens.center_y,
+              first(in.window_y, square.y), pixels(in.window_y, frame.raster.windows.last_y), regions(closed.top),
+              regions(closed.bottom), found.gap_y, asked ? &most_top : nullptr, &most_bottom);
   if (!huge && !(touches_x && touches_y)) return std::nullopt;
   if (gap != nullptr) *gap = found;
+  if (asked) {
+    const auto most_of = [&](int64_t pixels) {
+      const int64_t all = c.window / 8 - 1;
+      return static_cast<uint64_t>(huge ? all : std::min(pixels / 8, all));
+    };
+    *most = {most_of(most_left), most_of(most_right), most_of(most_top), most_of(most_bottom)};
+  }
 
   out.window_x = in.window_x;
   out.window_y = in.window_y;
+  out.walk = in.walk;
   out.view_exp = in.view_exp;
   pass_quaternion(in, out);
   pass_scales(in, out);

@@ -7,8 +7,10 @@
 //         the four sides is a plane, no division:
 //           keep iff  fx x - a z + reach s >= 0,   a = Window window_x - center_x - ReachMargin    (and three more)
 //         x, z, s are cut to 17 bits with a common exponent, always to the side that keeps: it never drops a Gaussian
-//         with alpha >= 1/AlphaCut in a pixel of the window. With lists (order 1) the window is the rectangle from
-//         window_x, window_y to the frame's last one.
+//         with alpha >= 1/AlphaCut in a pixel of the window. Where one part of it is walked the sides are the part's;
+//         with lists (order 1) they are those of the rectangle from window_x, window_y to the frame's last one.
+// Closed  With Occlusion the sides are those of the rectangle around the open regions: a few regions further in, by the
+//         same z. So what is kept then is kept without it too, and the gap stays that of the walk.
 // Numbers view s(ViewW-1).0 in units of 2^view_exp, rounded to nearest, saturated (DOPU's view_exp leaves room).
 //         near plane exact: keep iff z 2^view_exp > near_plane.
 // Gap     With TightCull pu_reach asks how far a mean lies beyond a side: the same sums without reach s, floored to
@@ -35,8 +37,10 @@ inline uint64_t cull_weight(const Config& config, int entry) {
 
 // Nothing for a Gaussian that is dropped; other beats pass with all other fields zero. `behind` counts those that do
 // not lie beyond the near plane; with NearTest 0 they are kept, but never one with z <= 0 (there the RTL complains).
-// `gap`: what pu_reach needs of a Gaussian that is kept.
+// `gap`: what pu_reach needs of a Gaussian that is kept. `closed`: what of the walk needs nothing more (Occlusion);
+// `most` of each side with which it is still kept, the others open.
 std::optional<Visible> pu_cull(const Config& config, const Frame& frame, const Fetched& fetched,
-                               uint64_t* behind = nullptr, Gap* gap = nullptr);
+                               uint64_t* behind = nullptr, Gap* gap = nullptr, const Closed& closed = {},
+                               Closed* most = nullptr);
 
 }  // namespace pipegs

@@ -98,6 +98,7 @@ ProjectedParts pu_project(const Config& c, const Frame& frame, const Visible& in
   payload.base_b = in.base_b;
   payload.index = in.index;
   payload.slot = in.slot;
+  payload.walk = in.walk;
   return parts;
 }
 

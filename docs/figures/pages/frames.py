@@ -12,6 +12,12 @@ VIEWS = {  # scene: its name and view, Gaussians, pixels
     "flowers": "flowers 0 (542k, 1296x840)",
 }
 
+SCENE_NAMES = {
+    **VIEWS,
+    "showroom": "showroom 0 (indoor, 1264x832)",
+    "campsite": "campsite 0 (drone)",
+}
+
 
 def of(found, name):
     """The row of a design point in what a command prints of several."""

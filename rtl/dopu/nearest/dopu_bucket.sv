@@ -202,6 +202,7 @@ module dopu_bucket #(
   pipegs_slot_pool #(.Slots(Nodes)) u_places (
     .clk_i,
     .rst_ni,
+    .renew_i(1'b0),
     .slot_valid_o(place_valid),
     .slot_ready_i(take_insert),
     .slot_o(free_place),

@@ -8,7 +8,7 @@
 //         is still closed, or being opened, can hide a nearer one. When the queue is full a node is not queued but sent
 //         or opened at once: right too, only out of order. Scanning cells, opening cells, opening groups and sending
 //         each go on to the next window when they are through with one, so two windows overlap. What belongs to a done
-//         window is dropped wherever it stands.
+//         window is dropped wherever it stands. Of a window on trial (set_judges_i) groups are shown, and wait.
 // Stream  cell in (layer ends are ignored); chunk out: chunks, layer ends with a watermark, the window's end.
 // Pace    Two tests in three cycles; a node that passes costs the queue five.
 // Model   cpp_model/dopu/nearest/dopu_nearest.hpp
@@ -29,6 +29,7 @@ module dopu_nearest #(
   input  pipegs_pkg::span_t                     chunks_i,
   input  logic [2*5*pipegs_pkg::PlaneBits-1:0]  planes_i,
   input  logic [1:0]                            set_done_i,
+  input  logic [1:0]                            set_judges_i,
 
   input  logic                                  cell_valid_i,
   output logic                                  cell_ready_o,
@@ -50,6 +51,11 @@ module dopu_nearest #(
   output pipegs_pkg::node_t                     chunk_o,
   output logic [pipegs_pkg::DepthW-1:0]         mark_o,        // a layer end's watermark
 
+  output logic                                  group_valid_o,   // of a set on trial: a group passes, ...
+  output logic [pipegs_pkg::CountW-1:0]         group_chunks_o,  // ... its chunks,
+  output logic [pipegs_pkg::LoadW-1:0]          group_near_o,    // ... where in depth it begins,
+  output logic [pipegs_pkg::LoadW-1:0]          group_far_o,     // ... and ends
+  output logic                                  counted_o,       // all groups were shown
   output logic [1:0]                            bad_o,         // a cell, a group: see pipegs_line_reader
   output logic [2*pipegs_pkg::AddressW-1:0]     bad_line_o,
   output logic                                  testing_o,     // something moves inside
@@ -82,8 +88,9 @@ module dopu_nearest #(
   logic [Levels-1:0] set_q, through, working, level_done;  // the set at work; through: nothing of it is left here
   logic [1:0]        complete_q [Levels];                  // the levels that are through with a set
   logic              cells_in_q;                           // all cells of the window scanned have come
-  logic              cell_here, send_set, window_end;
+  logic              cell_here, send_set, window_end, judges, held_back;  // the set of level 1, of level 2 is on trial
 
+  assign {held_back, judges} = {set_judges_i[set_q[2]], set_judges_i[set_q[1]]};
   assign cell_here = cell_valid_i && cell_set_i == set_q[0] && !cells_in_q && working[0];
 
   always_comb begin
@@ -180,10 +187,15 @@ module dopu_nearest #(
     .result_pass_o(result_pass),
     .result_tag_o({result_last, result_level}),
     .result_bucket_o(result_bucket),
+    .result_far_o(group_far_o),
     .result_place_o(result_place),
     .result_range_o(result_range)
   );
-  assign result_kept = result_pass || result_last;
+  assign group_valid_o  = result_valid && result_pass && result_level == 2'd1 && judges;
+  assign group_chunks_o = result_range[SlotW +: CountW];
+  assign group_near_o   = result_bucket[BucketW-1 -: pipegs_pkg::LoadW];
+  assign counted_o      = through[1] && judges;
+  assign result_kept    = result_pass || result_last;
 
   // --- results: one queue per level, so that no level waits for one above it ----------------------------------------
   logic [Levels-1:0]  held_valid, held_pass, held_last, live, queue_ready, push;
@@ -226,8 +238,8 @@ module dopu_nearest #(
         else reserved_q[l] <= reserved_q[l] +
                               ReservedW'(enter[l]) - ReservedW'(missed[l]) - ReservedW'(held_valid[l] && retired[l]);
       end
-      logic unused_count;
-      assign unused_count = &{1'b0, count};
+      logic unused_bits;
+      assign unused_bits = &{1'b0, count, held_last[l]};
 `ifndef SYNTHESIS
       always_ff @(posedge clk_i) if (rst_ni) assert (!push[l] || queue_ready[l]);
 `endif
@@ -248,8 +260,7 @@ module dopu_nearest #(
   logic                     direct_chunk, direct_ready, send_pop;
   logic [WaitW-1:0]         waiting_q [2];     // chunks of either set in the queue
   logic [1:0]               open_ready, open_valid, any_open, pop_open, reading;
-  logic [BucketW-1:0]       open_nearest [2];
-  logic [BucketW-1:0]       open_bucket [2];
+  logic [BucketW-1:0]       open_nearest [2], open_bucket [2];
   logic [RangeW-1:0]        open_range [2];
 
   assign insert_level = live[2] ? 2'd2 : live[1] ? 2'd1 : 2'd0;
@@ -288,6 +299,7 @@ module dopu_nearest #(
     for (int unsigned l = 0; l < 2; l += 1) begin
       direct[l] = full && queue_idle && !pop_valid && live[l] && open_ready[l] && set_q[l] == set_q[l+1];
     end
+    if (held_back) direct[1] = 1'b0;
     for (int unsigned l = 0; l < Levels; l += 1) begin
       retired[l] = held_valid[l] && (!live[l] || direct[l] || (insert && insert_level == 2'(l)));
     end
@@ -295,8 +307,7 @@ module dopu_nearest #(
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
-      waiting_q[0] <= '0;
-      waiting_q[1] <= '0;
+      for (int unsigned s = 0; s < 2; s += 1) waiting_q[s] <= '0;
     end else begin
       for (int unsigned s = 0; s < 2; s += 1) begin
         waiting_q[s] <= waiting_q[s] + WaitW'(insert && insert_list == ListW'(4 + s)) - WaitW'(out_valid &&
@@ -316,9 +327,10 @@ module dopu_nearest #(
   end
   assign few         = 32'(waiting_q[set_q[2]]) < Ahead && !crowded;
   assign group_first = !some[2] || first[1] <= first[2];
-  assign cell_first  = set_q[1] == set_q[2] && (!some[2] || first[0] <= first[2]) && (!some[1] || first[0] <= first[1]);
+  assign cell_first  = set_q[1] == set_q[2] && (!some[2] || first[0] <= first[2]) &&
+                       (!some[1] || held_back || first[0] <= first[1]);
   assign pop_open[0] = some[0] && (level_done[1] || (open_ready[0] && (!crowded || cell_first)));
-  assign pop_open[1] = some[1] && (level_done[2] || (open_ready[1] && (few || group_first)));
+  assign pop_open[1] = some[1] && (level_done[2] || (!held_back && open_ready[1] && (few || group_first)));
   assign pop_valid   = send_pop || pop_open != '0;
   assign pop_list    = send_pop ? {2'd2, send_set} : pop_open[1] ? {2'd1, set_q[2]} : {2'd0, set_q[1]};
 
@@ -414,8 +426,5 @@ module dopu_nearest #(
   assign testing_o = want != '0 || drop != '0 || cell_ready_o || !queue_idle || retired != '0 || pop_valid ||
                      through != '0 || window_end;
   assign waiting_o = reading != '0;
-
-  logic unused;
-  assign unused = &{1'b0, held_last[0]};
 
 endmodule

@@ -4,7 +4,7 @@
 // Paper   None.
 // Idea    Two box tests, out of step, take turns. The depth of a node's nearest corner gives its step; relative to the
 //         near plane's step it is the bucket, clamped at both ends, and never below the parent's: what holds for the
-//         parent's box holds for what lies inside.
+//         parent's box holds for what lies inside. Where windows have walks, the bucket of the farthest corner, too.
 // Stream  node: a node, its set of planes, its parent's bucket, which of its boxes counts, a tag. result: tag, pass,
 //         bucket and those fields of the node that are still needed, in the order of the nodes; it has no ready: the
 //         caller asks only for what it can take.
@@ -15,6 +15,7 @@ module dopu_rank #(
   parameter int unsigned TagW = 3,
   localparam int unsigned BucketW = pipegs_pkg::BucketW,
   localparam int unsigned StepW = pipegs_pkg::StepW,
+  localparam int unsigned LoadW = pipegs_pkg::LoadW,
   localparam int unsigned PlaceW = 3 * pipegs_pkg::WorldW + pipegs_pkg::ExpW,  // offset_exp, centre z, y, x
   localparam int unsigned RangeW = pipegs_pkg::CountW + pipegs_pkg::SlotW      // count, first
 ) (
@@ -40,6 +41,7 @@ module dopu_rank #(
   output logic                                  result_pass_o,
   output logic [TagW-1:0]                       result_tag_o,
   output logic [BucketW-1:0]                    result_bucket_o,
+  output logic [LoadW-1:0]                      result_far_o,    // leading bits of the farthest corner's
   output logic [PlaceW-1:0]                     result_place_o,
   output logic [RangeW-1:0]                     result_range_o
 );
@@ -54,6 +56,7 @@ module dopu_rank #(
   logic [TagW+BucketW-1:0]    tag [Tests];
   logic [NodeBits-1:0]        node [Tests];
   logic signed [DistanceW-1:0] nearest [Tests];
+  logic signed [DistanceW-1:0] farthest [Tests];
   logic [ExpW-1:0]            exponent [Tests];
 
   generate
@@ -77,6 +80,7 @@ module dopu_rank #(
         .result_node_o(node[t]),
         .result_tag_o(tag[t]),
         .result_nearest_o(nearest[t]),
+        .result_farthest_o(farthest[t]),
         .result_exponent_o(exponent[t])
       );
     end
@@ -126,6 +130,28 @@ module dopu_rank #(
   assign result_bucket_o = own > parent ? own : parent;
   assign result_place_o  = place_q;
   assign result_range_o  = range_q;
+
+  if (pipegs_pkg::HasWalks) begin : gen_far
+    logic signed [DistanceW-1:0] farthest_q;
+    logic [StepW-1:0]            far_step;
+    logic signed [SumW-1:0]      far_beyond;
+    logic [BucketW-1:0]          far;
+    always_ff @(posedge clk_i) farthest_q <= farthest[which];
+    dopu_depth #(.ValueW(DistanceW), .Down(pipegs_pkg::RotF - (pipegs_pkg::RotW - pipegs_pkg::TestW))) u_far (
+      .value_i(farthest_q),
+      .exponent_i(exponent_q),
+      .step_o(far_step)
+    );
+    assign far_beyond   = $signed({1'b0, far_step}) - $signed({1'b0, near_step_i});
+    assign far          = far_beyond[SumW-1] ? '0 : far_beyond[SumW-2:BucketW] != '0 ? '1 : far_beyond[BucketW-1:0];
+    assign result_far_o = far[BucketW-1 -: LoadW];
+    logic unused_far;
+    assign unused_far   = ^far;
+  end else begin : gen_no_far
+    assign result_far_o = '0;
+    logic unused_farthest;
+    assign unused_farthest = ^farthest[0] ^ ^farthest[1];
+  end
 
   logic unused_node;  // what only the test needs
   assign unused_node = ^result;

@@ -4,9 +4,11 @@
 // Paper   Sec. 4.2, frustum culling of the preprocessing.
 // Idea    view = origin + W offset; keep iff z > near (unless NearTest is 0) and fx x - a z + reach s >= 0 and the same
 //         on the three other sides. x, z, s are cut to 17 bits with a common exponent, always to the side that keeps
-//         (see the model). Stages, behind a register of what comes:
-//           1 nine products   2 sums       3 shift to view units   4 view; edges   5 near plane; common exponent
+//         (see the model). Two sides make an axis (pu_cull_axis). Stages, behind a register of what comes:
+//           1 nine products   2 sums       3 shift to view units   4 view   5 edges; near plane; common exponent
 //           6 cut             7 six products                       8 four signs -> output
+//         With Occlusion the four sides are those of the rectangle around the open regions (pipegs_open), as known in
+//         stage 5: regions beside it times z are taken off in stages 7 and 8.
 // Stream  fetched in, visible out: only those that survive, and every end beat, all its other fields zero. Beside it
 //         what pu_reach needs (TightCull), else zero.
 // Pace    One per cycle, latency 9; the pipeline stands still while the output is not taken. A stage's registers are
@@ -20,6 +22,7 @@ module pu_cull (
   input  pipegs_pkg::rotation_t rotation_i,
   input  pipegs_pkg::lens_t     lens_i,
   input  pipegs_pkg::windows_t  windows_i,
+  input  pipegs_pkg::open_t     open_i,
 
   input  logic                  fetched_valid_i,
   output logic                  fetched_ready_o,
@@ -44,6 +47,7 @@ module pu_cull (
   localparam int unsigned ScaleMW = pipegs_pkg::ScaleMW;
   localparam int unsigned WorldW  = pipegs_pkg::WorldW;
   localparam int unsigned WindowW = pipegs_pkg::WindowW;
+  localparam int unsigned PlaceW  = pipegs_pkg::PlaceW;
   localparam int unsigned Stages  = 7;  // before the output register
 
   // --- handshake: all stages advance together ----------------------------------------------------------------------
@@ -66,28 +70,28 @@ module pu_cull (
     end
   end
   pipegs_pkg::fetched_t fetched_q;
+  wire [pipegs_pkg::FetchedBits-1:0] fetched_bits = fetched_q;
   always_ff @(posedge clk_i) if (load[0]) fetched_q <= fetched_i;
 
   // --- what rides along: all of visible_t but the view coordinates, as vectors -------------------------------------
   localparam int unsigned RideW = pipegs_pkg::VisibleBits - 3 * ViewW;
   typedef struct packed {
-    logic [RideW-KindW-2*WindowW-ExpW-1:0] gaussian;
-    logic [ExpW-1:0]                       view_exp;
-    logic [WindowW-1:0]                    window_y;
-    logic [WindowW-1:0]                    window_x;
-    logic [KindW-1:0]                      kind;
+    logic [RideW-KindW-PlaceW-ExpW-1:0] gaussian;
+    logic [ExpW-1:0]                    view_exp;
+    logic [PlaceW-1:0]                  place;  // window and walk
+    logic [KindW-1:0]                   kind;
   } ride_t;
-  ride_t            ride, ride2, ride4, ride7;  // stage n reads rideN: the record in register n
+  ride_t            ride, ride2, ride4, ride6, ride7;  // rideN: the record in register N, read in stage N + 1
   logic [RideW-1:0] ride_q [Stages+1];          // 1 to 7
   assign ride.gaussian = {fetched_q.slot, fetched_q.index, fetched_q.base_b, fetched_q.base_g, fetched_q.base_r,
                           fetched_q.opacity, fetched_q.scale_2, fetched_q.scale_1, fetched_q.scale_0,
                           fetched_q.qz, fetched_q.qy, fetched_q.qx, fetched_q.qw};
   assign ride.view_exp = fetched_q.view_exp;
-  assign ride.window_x = fetched_q.window_x;
-  assign ride.window_y = fetched_q.window_y;
+  assign ride.place    = fetched_bits[KindW +: PlaceW];
   assign ride.kind     = fetched_q.kind;
   assign ride2 = ride_q[2];
   assign ride4 = ride_q[4];
+  assign ride6 = ride_q[6];
   assign ride7 = ride_q[7];
   always_ff @(posedge clk_i) begin
     if (load[1]) ride_q[1] <= ride;
@@ -202,24 +206,15 @@ module pu_cull (
     if (load[4]) {huge4_q, s4_q} <= {huge3_q, s3_q};
   end
 
-  // --- stages 4 and 5: near plane, edges of the window, common exponent --------------------------------------------
-  localparam int unsigned MagW   = pipegs_pkg::CutW - 1;  // magnitude bits of what is multiplied
-  localparam int unsigned EdgeF  = 4;
-  localparam int unsigned EdgeW  = WindowW + $clog2(pipegs_pkg::Window) + EdgeF + 2;
-  localparam int unsigned Margin = pipegs_pkg::ReachMargin;
-  localparam int unsigned Span   = ((pipegs_pkg::Window - 1 + 2 * Margin) << EdgeF) + 1;
-  localparam int unsigned CenterCut = pipegs_pkg::CenterF - EdgeF;
+  // --- stages 4 and 5: near plane, common exponent -----------------------------------------------------------------
+  localparam int unsigned CutW   = pipegs_pkg::CutW;
   localparam int unsigned ShiftW = pipegs_pkg::CutShiftW;
-  function automatic logic signed [EdgeW-1:0] edge_of(input logic [WindowW-1:0] window,
-                                                      input logic signed [pipegs_pkg::CenterW-1:0] center);
-    logic signed [EdgeW-1:0] first;
-    logic signed [pipegs_pkg::CenterW:0] wide;
-    wide    = (pipegs_pkg::CenterW + 1)'(center);
-    first   = $signed(EdgeW'(window) << ($clog2(pipegs_pkg::Window) + EdgeF)) - EdgeW'(Margin << EdgeF);
-    // -ceil(center) = floor(-center).
-    edge_of = first + EdgeW'((-wide) >>> CenterCut);
-  endfunction
-  logic signed [EdgeW-1:0]    edge_x5_q, edge_y5_q, edge_x6_q, edge_y6_q;
+  logic [2:0] walk4, walk6;  // of one part, half a window's side long: 1, its row, its column
+  if (pipegs_pkg::HasWalks) begin : gen_walk
+    assign {walk4, walk6} = {ride4.place[PlaceW-1 -: 3], ride6.place[PlaceW-1 -: 3]};
+  end else begin : gen_whole
+    assign {walk4, walk6} = '0;
+  end
   logic                       front7;
   logic signed [ViewW-1:0]    x5_q, y5_q, z5_q, sizes, normal;
   logic [ViewW-1:0]           s5_q;
@@ -233,14 +228,12 @@ module pu_cull (
     .out_o(normal),
     .shift_o(shift)
   );
-  localparam logic [ShiftW-1:0] NoCut = ShiftW'(ViewW - 1 - MagW);  // shift of a value of MagW bits
+  localparam logic [ShiftW-1:0] NoCut = ShiftW'(ViewW - CutW);  // shift of a value of CutW bits
   always_ff @(posedge clk_i) begin
     if (load[4]) {x4_q, y4_q, z4_q} <= {x4, y4, z4};
     if (load[5]) begin
       {x5_q, y5_q, z5_q, s5_q, huge5_q} <= {x4_q, y4_q, z4_q, s4_q, huge4_q};
-      cut5_q    <= shift < NoCut ? NoCut - shift : '0;
-      edge_x5_q <= edge_of(ride4.window_x, lens_i.center_x);
-      edge_y5_q <= edge_of(ride4.window_y, lens_i.center_y);
+      cut5_q <= shift < NoCut ? NoCut - shift : '0;
     end
   end
 
@@ -258,97 +251,91 @@ module pu_cull (
     assign front7 = 1'b1;
   end
 
-  // --- stages 6 and 7: cut, products -------------------------------------------------------------------------------
-  localparam int unsigned FocalW = pipegs_pkg::FocalW;
-  localparam int unsigned ReachW = pipegs_pkg::ReachW;
-  localparam int unsigned Coarse = 8;                       // low bits of reach that are rounded up
-  localparam int unsigned SmallW = ReachW - Coarse + 1;
-  localparam int unsigned SideW  = FocalW + MagW + 4 > ReachW + MagW + 4 ? FocalW + MagW + 4 : ReachW + MagW + 4;
-  localparam int unsigned ToEdge = pipegs_pkg::FocalF - EdgeF;
-  localparam int unsigned AsideW = (FocalW > EdgeW + ToEdge ? FocalW : EdgeW + ToEdge) + 2;
+  // --- stages 6 and 7: cut; the walk's side times z ----------------------------------------------------------------
+  localparam int unsigned EdgeF = 4;  // fraction of a pixel
+  localparam int unsigned HalfF = $clog2(pipegs_pkg::Window) - 1 + EdgeF;  // of half a window's side: that of a part
+  localparam int unsigned Span  = ((pipegs_pkg::Window - 1 + 2 * pipegs_pkg::ReachMargin) << EdgeF) + 1;
+  localparam int unsigned SpanW = $clog2(Span + 1) + CutW;
   logic signed [ViewW-1:0] x6_q, y6_q, z6_q, x7_q, y7_q, z7_q;  // the view coordinates
-  logic signed [MagW:0]    cx6_q, cy6_q, cz6_q;                 // cut
-  logic        [MagW:0]    cs6_q;
-  logic signed [SideW-1:0] fx7_q, fy7_q, ax7_q, ay7_q, rx7_q, ry7_q;
-  logic [SmallW-1:0]       reach_x, reach_y;
-  // What the cutting of x and z may have taken away, on either side; stage 7 adds it up for stage 8.
-  logic signed [AsideW-1:0] near_x7_q, near_y7_q, far_x7_q, far_y7_q;
-  logic signed [EdgeW-1:0]  last_x6, last_y6;  // the far edges
-  function automatic logic signed [AsideW-1:0] to_left(input logic signed [EdgeW-1:0] at);
-    to_left = at < 0 ? AsideW'(at) <<< ToEdge : '0;
-  endfunction
-  function automatic logic signed [AsideW-1:0] to_right(input logic signed [EdgeW-1:0] at);
-    to_right = at > 0 ? AsideW'(at) <<< ToEdge : '0;
-  endfunction
-  assign reach_x = SmallW'(lens_i.reach_x[ReachW-1:Coarse]) + SmallW'(lens_i.reach_x[Coarse-1:0] != '0);
-  assign reach_y = SmallW'(lens_i.reach_y[ReachW-1:Coarse]) + SmallW'(lens_i.reach_y[Coarse-1:0] != '0);
+  logic signed [CutW-1:0]  cx6_q, cy6_q, cz6_q;                 // cut
+  logic        [CutW-1:0]  cs6_q;
+  logic signed [SpanW-1:0] span7;
   always_ff @(posedge clk_i) begin
     if (load[6]) begin
       {x6_q, y6_q, z6_q, huge6_q} <= {x5_q, y5_q, z5_q, huge5_q};
-      {edge_x6_q, edge_y6_q} <= {edge_x5_q, edge_y5_q};
-      cx6_q <= (MagW + 1)'(x5_q >>> cut5_q);
-      cy6_q <= (MagW + 1)'(y5_q >>> cut5_q);
-      cz6_q <= (MagW + 1)'(z5_q >>> cut5_q);
-      cs6_q <= (MagW + 1)'(s5_q >> cut5_q) + (MagW + 1)'(1);
+      cx6_q <= CutW'(x5_q >>> cut5_q);
+      cy6_q <= CutW'(y5_q >>> cut5_q);
+      cz6_q <= CutW'(z5_q >>> cut5_q);
+      cs6_q <= CutW'(s5_q >> cut5_q) + CutW'(1);
     end
-    if (load[7]) begin
-      {x7_q, y7_q, z7_q, huge7_q} <= {x6_q, y6_q, z6_q, huge6_q};
-      near_x7_q <= $signed(AsideW'(lens_i.focal_x)) - to_left(edge_x6_q);
-      near_y7_q <= $signed(AsideW'(lens_i.focal_y)) - to_left(edge_y6_q);
-      far_x7_q  <= to_right(last_x6);
-      far_y7_q  <= to_right(last_y6);
-      fx7_q <= $signed(SideW'(lens_i.focal_x)) * SideW'(cx6_q);
-      fy7_q <= $signed(SideW'(lens_i.focal_y)) * SideW'(cy6_q);
-      ax7_q <= SideW'(edge_x6_q) * SideW'(cz6_q);
-      ay7_q <= SideW'(edge_y6_q) * SideW'(cz6_q);
-      rx7_q <= $signed(SideW'(reach_x)) * $signed(SideW'(cs6_q));
-      ry7_q <= $signed(SideW'(reach_y)) * $signed(SideW'(cs6_q));
-    end
+    if (load[7]) {x7_q, y7_q, z7_q, huge7_q} <= {x6_q, y6_q, z6_q, huge6_q};
+  end
+  if (pipegs_pkg::HasLists) begin : gen_frame  // a product of either axis
+    assign span7 = '0;
+  end else begin : gen_window
+    logic signed [SpanW-1:0] span7_q, less6;  // less6: what a part's is less
+    assign less6 = walk6[2] ? SpanW'(cz6_q) <<< HalfF : '0;
+    always_ff @(posedge clk_i) if (load[7]) span7_q <= $signed(SpanW'(Span)) * SpanW'(cz6_q) - less6;
+    assign span7 = span7_q;
   end
 
-  // --- stage 8: on which side of the two lines of an axis ----------------------------------------------------------
-  // Both are 0 or more exactly when the axis touches; near and far are slack.
-  function automatic logic touches(input logic signed [SideW-1:0] fx, input logic signed [SideW-1:0] az,
-                                   input logic signed [SideW-1:0] bz, input logic signed [SideW-1:0] rs,
-                                   input logic signed [SideW-1:0] near, input logic signed [SideW-1:0] far);
-    logic signed [SideW-1:0] low, high;
-    low  = fx + near - (az <<< ToEdge) + rs;
-    high = fx - (bz <<< ToEdge) - rs - far;
-    touches = low >= 0 && high <= 0;
-  endfunction
-  logic signed [SideW-1:0] bx7, by7;  // the far edges times z
-  logic                    touch_x, touch_y;
-  if (pipegs_pkg::HasLists) begin : gen_frame  // the rectangle of all windows: two more products
-    logic [WindowW-1:0]      more_x, more_y;  // windows behind the first one
-    logic signed [EdgeW-1:0] last_x6_q, last_y6_q;
-    logic signed [SideW-1:0] bx7_q, by7_q;
-    assign more_x  = windows_i.last_x - windows_i.first_x;
-    assign more_y  = windows_i.last_y - windows_i.first_y;
-    always_ff @(posedge clk_i) begin
-      if (load[6]) begin
-        last_x6_q <= edge_x5_q + EdgeW'(Span) + $signed(EdgeW'(more_x) << ($clog2(pipegs_pkg::Window) + EdgeF));
-        last_y6_q <= edge_y5_q + EdgeW'(Span) + $signed(EdgeW'(more_y) << ($clog2(pipegs_pkg::Window) + EdgeF));
-      end
-      if (load[7]) begin
-        bx7_q     <= SideW'(last_x6_q) * SideW'(cz6_q);
-        by7_q     <= SideW'(last_y6_q) * SideW'(cz6_q);
-      end
-    end
-    assign last_x6 = last_x6_q;
-    assign last_y6 = last_y6_q;
-    assign bx7     = bx7_q;
-    assign by7     = by7_q;
-  end else begin : gen_window
-    logic signed [SideW-1:0] span7_q;  // the window's side times z
-    always_ff @(posedge clk_i) if (load[7]) span7_q <= SideW'(Span) * SideW'(cz6_q);
-    assign last_x6 = edge_x6_q + EdgeW'(Span);
-    assign last_y6 = edge_y6_q + EdgeW'(Span);
-    assign bx7     = ax7_q + span7_q;
-    assign by7     = ay7_q + span7_q;
+  // --- stages 5 to 8: the two axes ---------------------------------------------------------------------------------
+  pipegs_pkg::closed_t                closed4;  // of the walk, at each side
+  logic signed [pipegs_pkg::GapW-1:0] gap_x, gap_y;
+  logic                               touch_x, touch_y;
+  if (pipegs_pkg::Occlusion != 0) begin : gen_open
+    pipegs_closed u_closed (
+      .open_i,
+      .place_i(ride4.place),
+      .closed_o(closed4)
+    );
+  end else begin : gen_walk_alone
+    assign closed4 = '0;
+    logic unused_open;
+    assign unused_open = ^open_i;
   end
-  assign touch_x = touches(fx7_q, ax7_q, bx7, rx7_q <<< Coarse, SideW'(near_x7_q), SideW'(far_x7_q));
-  assign touch_y = touches(fy7_q, ay7_q, by7, ry7_q <<< Coarse, SideW'(near_y7_q), SideW'(far_y7_q));
-  assign keep    = ride7.kind != pipegs_pkg::KindData || (front7 && (huge7_q || (touch_x && touch_y)));
+  pu_cull_axis #(.EdgeF(EdgeF), .Span(Span), .SpanW(SpanW)) u_x (
+    .clk_i,
+    .load_i(load[7:5]),
+    .focal_i(lens_i.focal_x),
+    .center_i(lens_i.center_x),
+    .reach_i(lens_i.reach_x),
+    .first_i(windows_i.first_x),
+    .last_i(windows_i.last_x),
+    .window4_i(ride4.place[0 +: WindowW]),
+    .behind4_i(walk4[0]),
+    .closed_near4_i(closed4.left),
+    .closed_far4_i(closed4.right),
+    .c6_i(cx6_q),
+    .z6_i(cz6_q),
+    .s6_i(cs6_q),
+    .part6_i(walk6[2]),
+    .span7_i(span7),
+    .touch_o(touch_x),
+    .gap_o(gap_x)
+  );
+  pu_cull_axis #(.EdgeF(EdgeF), .Span(Span), .SpanW(SpanW)) u_y (
+    .clk_i,
+    .load_i(load[7:5]),
+    .focal_i(lens_i.focal_y),
+    .center_i(lens_i.center_y),
+    .reach_i(lens_i.reach_y),
+    .first_i(windows_i.first_y),
+    .last_i(windows_i.last_y),
+    .window4_i(ride4.place[WindowW +: WindowW]),
+    .behind4_i(walk4[1]),
+    .closed_near4_i(closed4.top),
+    .closed_far4_i(closed4.bottom),
+    .c6_i(cy6_q),
+    .z6_i(cz6_q),
+    .s6_i(cs6_q),
+    .part6_i(walk6[2]),
+    .span7_i(span7),
+    .touch_o(touch_y),
+    .gap_o(gap_y)
+  );
+
+  assign keep = ride7.kind != pipegs_pkg::KindData || (front7 && (huge7_q || (touch_x && touch_y)));
 
   pipegs_pkg::visible_t out_q;
   assign visible_o = out_q;
@@ -357,38 +344,23 @@ module pu_cull (
       out_q      <= '0;
       out_q.kind <= ride7.kind;
       if (ride7.kind == pipegs_pkg::KindData) begin
-        out_q <= {ride7.gaussian, ride7.view_exp, z7_q, y7_q, x7_q, ride7.window_y, ride7.window_x, ride7.kind};
+        out_q <= {ride7.gaussian, ride7.view_exp, z7_q, y7_q, x7_q, ride7.place, ride7.kind};
       end
     end
   end
 
   // --- beside stages 7 and 8: how far the mean lies beyond the window, times z ---------------------------------------
   if (pipegs_pkg::TightCull != 0) begin : gen_gap
-    logic signed [MagW:0]    cx7_q, cy7_q, cz7_q;
-    logic [ShiftW-1:0]       cut6_q, cut7_q;
-    logic signed [SideW-1:0] gap_x, gap_y;
-    pipegs_pkg::gap_t        gap_q;
-    // `touches` without rs; on one side at most the mean is beyond the window.
-    function automatic logic signed [SideW-1:0] beyond(input logic signed [SideW-1:0] fx,
-                                                       input logic signed [SideW-1:0] az,
-                                                       input logic signed [SideW-1:0] bz,
-                                                       input logic signed [SideW-1:0] near,
-                                                       input logic signed [SideW-1:0] far);
-      logic signed [SideW-1:0] low, high;
-      low    = (az <<< ToEdge) - fx - near;
-      high   = fx - (bz <<< ToEdge) - far;
-      beyond = low > 0 ? low : high;
-    endfunction
-    assign gap_x = beyond(fx7_q, ax7_q, bx7, SideW'(near_x7_q), SideW'(far_x7_q));
-    assign gap_y = beyond(fy7_q, ay7_q, by7, SideW'(near_y7_q), SideW'(far_y7_q));
+    logic signed [CutW-1:0] cx7_q, cy7_q, cz7_q;
+    logic [ShiftW-1:0]      cut6_q, cut7_q;
+    pipegs_pkg::gap_t       gap_q;
     always_ff @(posedge clk_i) begin
       if (load[6]) cut6_q <= cut5_q;
       if (load[7]) {cut7_q, cx7_q, cy7_q, cz7_q} <= {cut6_q, cx6_q, cy6_q, cz6_q};
       if (load_out) begin
         gap_q <= '0;
         if (ride7.kind == pipegs_pkg::KindData) begin
-          gap_q <= {huge7_q, pipegs_pkg::GapW'(gap_y >>> ToEdge), pipegs_pkg::GapW'(gap_x >>> ToEdge),
-                    cut7_q, cz7_q, cy7_q, cx7_q};
+          gap_q <= {huge7_q, gap_y, gap_x, cut7_q, cz7_q, cy7_q, cx7_q};
         end
       end
     end
@@ -398,8 +370,8 @@ module pu_cull (
   end
 
   // Of the normalised sizes only the shift is used.
-  wire unused_bits = &{1'b0, lens_i, windows_i, normal, ride2, ride3, ride4, ride1, s4_q[ViewW-1],
-                       size3[HighW-1:ViewW]};
+  wire unused_bits = &{1'b0, lens_i, normal, gap_x, gap_y, ride1, ride2, ride3, ride4, ride6, walk4, walk6,
+                       fetched_bits, s4_q[ViewW-1], size3[HighW-1:ViewW]};
 
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni)

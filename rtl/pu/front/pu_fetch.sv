@@ -40,14 +40,14 @@ module pu_fetch #(
   // The header travels beside the job; slot and count are the job itself; pipegs_pu keeps the watermark.
   localparam int unsigned HeaderW = pipegs_pkg::ChunkBits - pipegs_pkg::SlotW - pipegs_pkg::CountW - pipegs_pkg::MarkW;
 
-  logic [HeaderW-1:0]                  header_in, header;
+  logic [HeaderW-1:0]                  header;
+  logic [pipegs_pkg::ChunkBits-1:0]    chunk;
   logic [pipegs_pkg::GaussianRecordBits-1:0] item;
   logic [pipegs_pkg::SlotW-1:0]        slot;
   logic                                is_data;
   pipegs_pkg::gaussian_t               gaussian;
 
-  assign header_in = {chunk_i.offset_exp, chunk_i.view_exp, chunk_i.origin_z, chunk_i.origin_y, chunk_i.origin_x,
-                      chunk_i.window_y, chunk_i.window_x, chunk_i.kind};
+  assign chunk = chunk_i;  // the header lies lowest, as in what was fetched
 
   pipegs_line_reader #(
     .TagW(HeaderW),
@@ -64,7 +64,7 @@ module pu_fetch #(
     .job_read_i(chunk_i.kind == pipegs_pkg::KindData),
     .job_first_i(chunk_i.slot),
     .job_count_i(chunk_i.count),
-    .job_tag_i(header_in),
+    .job_tag_i(chunk[HeaderW-1:0]),
     .mem_valid_o,
     .mem_ready_i,
     .mem_address_o,
@@ -84,29 +84,14 @@ module pu_fetch #(
   );
 
   logic unused_chunk;
-  assign unused_chunk = ^chunk_i;
+  assign unused_chunk = ^chunk;
 
   assign gaussian = is_data ? item : '0;  // an end beat carries zeros
 
-  always_comb begin
-    {fetched_o.offset_exp, fetched_o.view_exp, fetched_o.origin_z, fetched_o.origin_y, fetched_o.origin_x,
-     fetched_o.window_y, fetched_o.window_x, fetched_o.kind} = header;
-    fetched_o.slot     = is_data ? slot : '0;
-    fetched_o.offset_x = gaussian.offset_x;
-    fetched_o.offset_y = gaussian.offset_y;
-    fetched_o.offset_z = gaussian.offset_z;
-    fetched_o.qw       = gaussian.qw;
-    fetched_o.qx       = gaussian.qx;
-    fetched_o.qy       = gaussian.qy;
-    fetched_o.qz       = gaussian.qz;
-    fetched_o.scale_0  = gaussian.scale_0;
-    fetched_o.scale_1  = gaussian.scale_1;
-    fetched_o.scale_2  = gaussian.scale_2;
-    fetched_o.opacity  = gaussian.opacity;
-    fetched_o.base_r   = gaussian.base_r;
-    fetched_o.base_g   = gaussian.base_g;
-    fetched_o.base_b   = gaussian.base_b;
-    fetched_o.index    = gaussian.index;
-  end
+  assign fetched_o = {{pipegs_pkg::SlotW{is_data}} & slot, gaussian.index,
+                      gaussian.base_b, gaussian.base_g, gaussian.base_r, gaussian.opacity,
+                      gaussian.scale_2, gaussian.scale_1, gaussian.scale_0,
+                      gaussian.qz, gaussian.qy, gaussian.qx, gaussian.qw,
+                      gaussian.offset_z, gaussian.offset_y, gaussian.offset_x, header};
 
 endmodule

@@ -3,7 +3,7 @@
 //
 // Paper   Fig. 7 (PU), Sec. 4.2.1.
 // Idea    fetch -> cull -> reach (TightCull). One Gaussian a cycle goes in, and of those that leave pu_deal gives each
-//         PU one in eight cycles, so PuFronts of the PUs can feed all of them. Only wiring here.
+//         PU one in Pace cycles, so PuFronts of the PUs can feed all of them. Only wiring here.
 // Stream  chunk in; visible out, to pu_deal; a port to external memory for geometry.
 // Pace    One Gaussian per cycle.
 // Model   preprocess() in cpp_model/golden.cpp
@@ -18,6 +18,7 @@ module pu_front #(
   input  pipegs_pkg::rotation_t    rotation_i,
   input  pipegs_pkg::lens_t        lens_i,
   input  pipegs_pkg::windows_t     windows_i,
+  input  pipegs_pkg::open_t        open_i,
   input  pipegs_pkg::span_t        gaussians_i,  // the geometry
 
   input  logic                     chunk_valid_i,
@@ -76,6 +77,7 @@ module pu_front #(
     .rotation_i,
     .lens_i,
     .windows_i,
+    .open_i,
     .fetched_valid_i(fetched_valid),
     .fetched_ready_o(fetched_ready),
     .fetched_i(fetched),

@@ -7,7 +7,7 @@
 //         the same beats as in the other machines. What leaves them becomes a record in pu_record or pu_fill. Only
 //         wiring here.
 // Stream  conic in, placed out to pu_coeff; a port to external memory.
-// Pace    One beat per eight cycles (pu_coeff).
+// Pace    One beat per Pace cycles, 8 or 4 (pu_coeff).
 // Model   golden_lists in cpp_model/golden.cpp
 
 module pu_list #(

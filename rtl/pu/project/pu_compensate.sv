@@ -6,7 +6,7 @@
 //           -log2(opacity) + (log2(det) - log2(sharp)) / 2        at most 7.644 more; sharp = 0 gets the most
 //         Only built when Antialias is 1; a frame whose scene is not flagged passes unchanged.
 // Stream  covariance in and out, in order; an end beat passes.
-// Pace    A record is held for three cycles at least (table, product, sum), latency 4; its neighbours need eight.
+// Pace    A record is held for three cycles at least (table, product, sum), latency 4; its neighbours need 8 or 4.
 // Model   cpp_model/pu/project/pu_compensate.hpp
 
 module pu_compensate (

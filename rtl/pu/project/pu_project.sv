@@ -275,16 +275,26 @@ module pu_project (
   assign center_valid_o  = cycle12;
   assign center_o        = center_q;
   assign payload_valid_o = held && phase[7] && in_q.kind == pipegs_pkg::KindData;
+  pipegs_pkg::payload_t payload;  // but for its walk
   always_comb begin
-    payload_o.depth  = depth_q;
-    payload_o.dir_x  = dir_x_q;
-    payload_o.dir_y  = dir_y_q;
-    payload_o.dir_z  = direction;
-    payload_o.base_r = in_q.base_r;
-    payload_o.base_g = in_q.base_g;
-    payload_o.base_b = in_q.base_b;
-    payload_o.index  = in_q.index;
-    payload_o.slot   = in_q.slot;
+    payload        = '0;
+    payload.depth  = depth_q;
+    payload.dir_x  = dir_x_q;
+    payload.dir_y  = dir_y_q;
+    payload.dir_z  = direction;
+    payload.base_r = in_q.base_r;
+    payload.base_g = in_q.base_g;
+    payload.base_b = in_q.base_b;
+    payload.index  = in_q.index;
+    payload.slot   = in_q.slot;
+  end
+  if (pipegs_pkg::HasWalks) begin : gen_walk
+    always_comb begin
+      payload_o      = payload;
+      payload_o.walk = in_q.walk;
+    end
+  end else begin : gen_whole
+    assign payload_o = payload;
   end
 
   // Bits that a narrowing cuts, and what of the lens does not matter here.

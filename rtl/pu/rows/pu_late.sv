@@ -211,7 +211,7 @@ module pu_late #(
   assign busy_o  = valid_q || color_busy_o || count != '0;
 
   logic unused_in;
-  assign unused_in = &{1'b0, shown, queued, count};
+  assign unused_in = &{1'b0, payload, shown, queued, count};
 
 `ifndef SYNTHESIS
   pipegs_stream_check #(.DataW($bits(splat_o))) u_check_splat (

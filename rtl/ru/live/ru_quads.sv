@@ -96,7 +96,7 @@ module ru_quads #(
   logic [AddrW-1:0]           address;
   logic                       conflict;
 
-  pipegs_fifo #(.DataW(QueuedW), .Depth(Depth)) u_queue (
+  pipegs_sram_fifo #(.DataW(QueuedW), .Depth(Depth)) u_queue (
     .clk_i,
     .rst_ni,
     .in_valid_i,

@@ -20,6 +20,7 @@ module su_buckets (
   output logic                           insert_ready_o,
   input  logic                           insert_set_i,
   input  logic [pipegs_pkg::BucketW-1:0] insert_bucket_i,
+  input  logic [pipegs_pkg::BucketW-1:0] arrives_bucket_i,  // the same, where there may be a job
   input  logic [pipegs_pkg::RecordW-1:0] insert_slot_i,
 
   input  logic                           job_valid_i,
@@ -116,7 +117,7 @@ module su_buckets (
   logic insert_reads, entry_reads, word_reads, same_word, insert_waits, chain_due;
   // Is the word that an insertion is about to read, or has read, the one that the release takes?
   assign same_word    = operation_q == Insert ? {set_q, bucket_q[BucketW-1:LowW]} == {job_set_i, first_word}
-                                              : {insert_set_i, insert_bucket_i[BucketW-1:LowW]} == {job_set_i, word_q};
+                                              : {insert_set_i, arrives_bucket_i[BucketW-1:LowW]} == {job_set_i, word_q};
   assign insert_waits = word_wanted || operation_q == Insert || (operation_q == Word && same_word);
   always_comb begin
     operation_d = None;
@@ -227,6 +228,8 @@ module su_buckets (
 
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni) assert (!(operation_q == Entry && push_group) || chain_room_i);
+  always_ff @(posedge clk_i) if (rst_ni)
+    assert (!(insert_valid_i && operation_q == Word) || insert_bucket_i == arrives_bucket_i);
 `endif
 
 endmodule

@@ -3,9 +3,10 @@
 //
 // Idea    The runs of a level have the same number of keys and so of lines, the last one may have fewer, and lie one
 //         behind the other: a start and a pitch say where each one is. Up to SuWays of them at a time are merged into a
-//         run of the next level, in the other one of two areas, but no more than it takes: as soon as SuWays runs are
-//         left, on both levels, their merge is the last one, and its keys leave. A tree has just the levels that its
-//         ways need. So a key moves at most ceil(log(keys / pool) / log(SuWays)) times, in whatever order they came.
+//         run of the next level, in the other one of two areas (AreaRuns has those that su_runs forms), but no more
+//         than it takes: as soon as SuWays runs are left, on both levels, their merge is the last one, and its keys
+//         leave. A tree has just the levels that its ways need. So a key moves at most ceil(log(keys / pool) /
+//         log(SuWays)) times, in whatever order they came.
 // Stream  run_i: a run of the first level begins; formed_i: all keys of the set are in runs. setup: a way's first line
 //         and number of keys; merge_o: begin. A run that is written: begin_o with its keys. keep_o: sorted keys go to
 //         su_lines; else to su_emit. sent_o: no more keys come; done_i ends the set.
@@ -19,10 +20,10 @@ module su_levels #(
 ) (
   input  logic              clk_i,
   input  logic              rst_ni,
-  input  logic              start_i,   // a set begins to spill
+  input  logic              start_i,   // a set begins to spill, or goes on
   input  logic              run_i,
   input  logic              formed_i,
-  input  logic [SlotW-1:0]  count_i,   // keys of the set
+  input  logic [SlotW-1:0]  count_i,   // of the keys that leave
   input  logic              done_i,
 
   output logic              setup_o,
@@ -127,7 +128,7 @@ module su_levels #(
         Setup:   if (set_up) state_q <= Start;
         Start:   state_q <= Merge;
         Merge:   if (merged) state_q <= last_q ? Sent : Size;
-        default: if (done_i) state_q <= Form;
+        default: if (done_i || start_i) state_q <= Form;
       endcase
     end
   end

@@ -5,7 +5,7 @@
 // Idea    When every lane shows its head, the head with the smallest key {end, su_key} goes. Each pair of heads is
 //         compared once, side by side; the winner is the one that is below all others. End beats are above every splat,
 //         so they are left when the layer is out of splats; then all are taken at once and one goes out. Watermarks
-//         (the ends of layers, if there are any) have done their work here and do not go out.
+//         (the ends of layers, if there are any) and ends of parts have done their work here and do not go out.
 // Stream  in: one sorted stream per lane, a layer each up to an end beat of the same kind. out: the merged layers;
 //         `unit` is the lane. A lane's ready depends on the other lanes' valid, as in every join.
 // Pace    One beat per cycle, latency one cycle; a layer's end costs one beat.
@@ -60,7 +60,7 @@ module su_merge (
 
   assign go         = in_valid_i == '1 && (!out_valid_q || out_ready_i);
   assign mark       = pipegs_pkg::HasWatermarks && ends == '1 &&
-                      in_i[pipegs_pkg::KindW-1:0] == pipegs_pkg::KindLayerEnd;
+                      in_i[pipegs_pkg::KindW-1:0] != pipegs_pkg::KindWindowEnd;
   assign in_ready_o = !go ? '0 : ends == '1 ? '1 : nearest;
   assign active_o   = go || (out_valid_q && out_ready_i);
 
@@ -114,7 +114,7 @@ module su_merge (
     );
     always_ff @(posedge clk_i or negedge rst_ni) begin
       if (!rst_ni) before_q <= 1'b0;
-      else if (go && !mark) before_q <= ends != '1;
+      else if (go && !(mark && in_i[KindW-1:0] == pipegs_pkg::KindLayerEnd)) before_q <= ends != '1;
     end
     always_ff @(posedge clk_i) if (go && !mark) key_q <= key;
     always_ff @(posedge clk_i) if (rst_ni) assert (!(go && before_q && ends != '1) || key > key_q)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// su_minmax: the smallest and the largest key of a layer.
+// su_minmax: the smallest and the largest key of a run that is loaded into the pool.
 //
 // Paper   Sec. 4.2.2, "MinMax Finder".
 // Idea    min = key < min ? key : min;  max = key > max ? key : max;  while the keys stream past into their store.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // point.hpp: one point of a campaign: one view on one machine, measured once and kept.
 //
-// Key     MeasurementStore's (contents of the scene, camera, memory, every entry of the configuration, sources of the
-//         models), the bytes of this program, engine, truth, seed; with the RTL its sources.
+// Key     MeasurementStore's (contents of the scene, camera, walk_most, memory, every entry of the configuration,
+//         sources of the models), the bytes of this program, engine, truth, seed; with the RTL its sources.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -76,10 +76,10 @@ PixelBytes memory_of(const LadderArguments& arguments) {
 void tell_mismatches(const Known& known, const CLI::App& command) {
   std::fflush(stdout);
   for (const auto& [name, first] : known.wrong) {
+    std::set<std::string> without = {"--designs", "--out", "--json", "--page", "--window", "--no-truth"};
+    if (!find_design_point(name).config.has_walks()) without.insert("--walk-most");
     fmt::print(stderr, "{}: first mismatch, {}\nreplay: {} --design {} --no-truth --out replay --window {},{}\n", name,
-               first.line(),
-               given_to("sim", command, {"--designs", "--out", "--json", "--page", "--window", "--no-truth"}), name,
-               first.window_x, first.window_y);
+               first.line(), given_to("sim", command, without), name, first.window_x, first.window_y);
   }
 }
 

@@ -44,7 +44,7 @@ Machine changed(const WhatIfArguments& arguments, const Change& change, const Ma
   ViewArguments view = arguments.base;
   view.settings = change;
   try {
-    machine.options = view.options();
+    machine.options = view.one_of_several();
   } catch (const ConfigError& error) { throw ConfigError(refused(machine.name, error.what())); }
   const int side = machine.options.config.window, base_side = base.options.config.window;
   if (machine.options.window && side != base_side)
@@ -55,7 +55,7 @@ Machine changed(const WhatIfArguments& arguments, const Change& change, const Ma
 
 // The base, then the changes.
 std::vector<Machine> machines_of(const WhatIfArguments& arguments) {
-  std::vector<Machine> machines = {{arguments.base.design_point, arguments.base.options()}};
+  std::vector<Machine> machines = {{arguments.base.design_point, arguments.base.one_of_several()}};
   if (!arguments.base.config.empty()) machines.front().name = "base";
   for (const Change& change : arguments.changes) {
     machines.push_back(changed(arguments, change, machines.front()));
@@ -63,7 +63,12 @@ std::vector<Machine> machines_of(const WhatIfArguments& arguments) {
     if (std::count_if(machines.begin(), machines.end(), same) > 1)
       throw ConfigError(refused(machines.back().name, "found a second time, expected once"));
   }
-  for (Machine& machine : machines) arguments.memory.apply(machine.options);
+  std::vector<SimulateOptions> options;
+  for (Machine& machine : machines) {
+    arguments.memory.apply(machine.options);
+    options.push_back(machine.options);
+  }
+  arguments.base.check_walks(options);
   return machines;
 }
 

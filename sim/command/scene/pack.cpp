@@ -79,6 +79,8 @@ std::string scene_header(const pipegs_scene& scene, const pipegs_camera& camera)
 int pack(const PackArguments& arguments) {
   SimulateOptions options = arguments.view.options();
   if (options.window) throw ConfigError("--window: found one, expected none: what is packed serves every window");
+  if (arguments.view.walk_most)
+    throw ConfigError("--walk-most: found one, expected none: the host says it in each job");
   try_folder("--out", arguments.out, {"image.bin", "scene.h"});
   const LoadedView loaded = load_view(arguments.view);
   follow_scene(loaded, options);

@@ -3,6 +3,7 @@
 #include "sim/silicon/area/machine_kind.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 #include <string_view>
@@ -49,7 +50,9 @@ Config config_of(const std::string& difference) {
   return config;
 }
 
-MachineKind kind_of(const Config& config) { return {config.late, config.order, config.quadratic, config.quads}; }
+MachineKind kind_of(const Config& config) {
+  return {config.late, config.order, config.quadratic, config.quads, config.pace};
+}
 
 std::vector<double> kind_terms(const Config& config) {
   return {1.0,
@@ -57,10 +60,13 @@ std::vector<double> kind_terms(const Config& config) {
           1.0 * config.has_lists(),
           1.0 * config.has_watermarks(),
           1.0 * config.quadratic,
-          1.0 * config.quads};
+          1.0 * config.quads,
+          1.0 * (config.pace == 4)};
 }
 
-std::vector<double> kind_ridges() { return {0, kKindRidge, kKindRidge, kKindRidge, kKindRidge, kKindRidge}; }
+std::vector<double> kind_ridges() {
+  return {0, kKindRidge, kKindRidge, kKindRidge, kKindRidge, kKindRidge, kKindRidge};
+}
 
 double scaled(const Config& config, const std::string& name) {
   const auto knob = known_knobs().find(name);
@@ -70,17 +76,19 @@ double scaled(const Config& config, const std::string& name) {
 }
 
 bool within(const Config& config, const std::vector<Config>& points) {
-  const bool of_its_kind = std::any_of(points.begin(), points.end(), [&](const Config& point) {
+  std::vector<Config> kin;
+  std::copy_if(points.begin(), points.end(), std::back_inserter(kin), [&](const Config& point) {
     return kind_of(point) == kind_of(config) && point.oriented() == config.oriented();
   });
-  return of_its_kind && std::all_of(known_knobs().begin(), known_knobs().end(), [&](const auto& one) {
-           const ConfigEntry& knob = one.second;
-           const auto [low, high] = std::minmax_element(
-               points.begin(), points.end(),
-               [&](const Config& a, const Config& b) { return knob_value(a, knob) < knob_value(b, knob); });
-           const int value = knob_value(config, knob);
-           return low != points.end() && value >= knob_value(*low, knob) && value <= knob_value(*high, knob);
-         });
+  return !kin.empty() && std::all_of(known_knobs().begin(), known_knobs().end(), [&](const auto& one) {
+    const ConfigEntry& knob = one.second;
+    const std::vector<Config>& moved = one.first == "fronts" ? kin : points;
+    const auto [low, high] = std::minmax_element(moved.begin(), moved.end(), [&](const Config& a, const Config& b) {
+      return knob_value(a, knob) < knob_value(b, knob);
+    });
+    const int value = knob_value(config, knob);
+    return value >= knob_value(*low, knob) && value <= knob_value(*high, knob);
+  });
 }
 
 }  // namespace pipegs

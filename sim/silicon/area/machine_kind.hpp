@@ -2,8 +2,8 @@
 // machine_kind.hpp: configurations as the fits of areas and paths see them: which kind of machine, and where its knobs
 // stand.
 //
-// Idea    A kind is what a design point decides: `late`, `order`, `quadratic` and `quads`. Machines of one kind have
-//         the same blocks in the same units; kinds differ by offsets. A knob is a free entry of config.def.
+// Idea    A kind is what a design point decides: `late`, `order`, `quadratic`, `quads` and `pace`. Machines of one kind
+//         have the same blocks in the same units; kinds differ by offsets. A knob is a free entry of config.def.
 // Rule    `fronts` counts as what there is of them, pu_fronts: more than there are units are none.
 #pragma once
 
@@ -19,7 +19,7 @@ namespace pipegs {
 // ConfigError for any other text.
 Config config_of(const std::string& difference);
 
-using MachineKind = std::array<int, 4>;  // late, order, quadratic, quads
+using MachineKind = std::array<int, 5>;  // late, order, quadratic, quads, pace
 MachineKind kind_of(const Config& config);
 
 // 1, and an offset for each part of a kind; ridges that go with them.
@@ -30,7 +30,8 @@ std::vector<double> kind_ridges();
 double scaled(const Config& config, const std::string& knob);
 
 // Whether one of the points is of this kind and tests regions as it does, which has blocks of its own, and each free
-// entry lies between the least and the largest of the points'; alike where no point moves it.
+// entry lies between the least and the largest of the points'; alike where no point moves it. The number of PUs that
+// fetch lies between those of the points of this kind: what such a PU holds depends on it, and on the kind.
 bool within(const Config& config, const std::vector<Config>& points);
 
 }  // namespace pipegs

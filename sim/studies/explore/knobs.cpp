@@ -53,10 +53,10 @@ std::vector<Knob> table() {
       entry("depth_w", "bits of the depth key", {12, 16, 20, 24, 30}, true),
       {.name = "layers",
        .what = "the grid's layers along an axis, or the exact order (which needs late = 1)",
-       .values = {{"grid 1", {"order=0", "tight_boxes=0", "grid=1"}},
-                  {"grid 2", {"order=0", "tight_boxes=0", "grid=2"}},
-                  {"grid 4", {"order=0", "tight_boxes=0", "grid=4"}},
-                  {"grid 8", {"order=0", "tight_boxes=0", "grid=8"}},
+       .values = {{"grid 1", layers_of_grid(1)},
+                  {"grid 2", layers_of_grid(2)},
+                  {"grid 4", layers_of_grid(4)},
+                  {"grid 8", layers_of_grid(8)},
                   {"exact", {"late=1", "order=2", "records=2048", "bucket_bits=5", "grid=4"}}},
        .orders = true},
       // The record of a Gaussian.
@@ -81,6 +81,10 @@ std::vector<Knob> table() {
 }
 
 }  // namespace
+
+std::vector<std::string> layers_of_grid(int grid) {
+  return {"order=0", "tight_boxes=0", "occlusion=0", fmt::format("grid={}", grid)};
+}
 
 const std::vector<Knob>& accuracy_knobs() {
   static const std::vector<Knob> knobs = table();

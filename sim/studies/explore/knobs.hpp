@@ -28,6 +28,9 @@ struct Knob {
   bool together = true;  // takes part when knobs are turned together; not when its entries have knobs of their own
 };
 
+// Blended layer by layer of a grid with so many cells along an axis, without what needs the exact order.
+std::vector<std::string> layers_of_grid(int grid);
+
 // Those that trade accuracy for cost.
 const std::vector<Knob>& accuracy_knobs();
 

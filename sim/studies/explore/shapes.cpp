@@ -50,7 +50,7 @@ class ShapeSweep {
   std::vector<Point> run(const Config& base) {
     add("base", {{.knob = kBase, .value = {}, .config = base}});
     std::vector<Point> alone;
-    for (const Neighbour& one : neighbours(base)) {
+    for (const Neighbour& one : known_neighbours(base)) {
       alone.push_back(
           {.knob = one.entry->name, .value = {.label = fmt::format("{}", one.value)}, .config = one.config});
     }
@@ -60,6 +60,13 @@ class ShapeSweep {
   }
 
  private:
+  // Those whose area is known.
+  std::vector<Neighbour> known_neighbours(const Config& config) const {
+    std::vector<Neighbour> found = neighbours(config);
+    std::erase_if(found, [&](const Neighbour& one) { return !silicon_.area().knows(one.config); });
+    return found;
+  }
+
   // As many of them as may be measured.
   void add(const char* stage, std::vector<Point> points) {
     points.resize(std::min(points.size(), options_.runs - std::min<size_t>(options_.runs, shapes_.size())));
@@ -96,7 +103,7 @@ class ShapeSweep {
   std::vector<ShapeCandidate> candidates() const {
     std::vector<ShapeCandidate> found;
     for (const Point* origin : shape_front(shapes_)) {
-      for (const Neighbour& one : neighbours(origin->config)) {
+      for (const Neighbour& one : known_neighbours(origin->config)) {
         const Point *then = alone(*one.entry, one.value), *now = alone(*one.entry, origin->config.*one.entry->member);
         if (then == nullptr || now == nullptr || find(one.config) != nullptr) continue;
         const double ratio = then->cycles() / now->cycles();
@@ -145,7 +152,9 @@ const std::vector<ShapeEntry>& shape_entries() {
       {"units", &Config::units, {1, 2, 4}},
       {"fronts", &Config::fronts, {1, 2, 4}},
       {"window", &Config::window, {64, 128}},
+      {"occlusion", &Config::occlusion, {0, 1}},
       {"tests", &Config::tests, {1, 2}},
+      {"pace", &Config::pace, {4, 8}},
       {"records", &Config::records, {704, 1024, 1408, 2048, 2816}},
       {"bucket_bits", &Config::bucket_bits, {3, 4, 5, 6}},
       {"nearest_nodes", &Config::nearest_nodes, {256, 512, 1024, 2048}},

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/studies/explore/knobs.hpp"
+
 namespace pipegs {
 namespace {
 
@@ -85,8 +87,7 @@ std::vector<Point> less_alone(const Config& base, const Scene& scene) {
   // Lists have no order to give up.
   for (const int grid : {8, 4, 1}) {
     if (base.order == 1 || (base.order == 0 && grid == base.grid)) continue;
-    add("order", {.label = fmt::format("layers of grid {}", grid),
-                  .settings = {"order=0", "tight_boxes=0", fmt::format("grid={}", grid)}});
+    add("order", {.label = fmt::format("layers of grid {}", grid), .settings = layers_of_grid(grid)});
   }
   return points;
 }

@@ -32,7 +32,7 @@ void Descend::step(DopuCycle& cycle, DopuSets& sets) {
 bool Descend::passes(int level, DopuItem& item, DopuSets& sets) const {
   if (!item.data()) return true;
   DopuSet& set = sets[item.set];
-  const TimingWalk& walk = trace_.walks[set.window];
+  const TimingWalk& walk = trace_.walks[set.walk];
   if (level == 0) return bit(walk.cells, item.node);
   if (level == 1) return bit(walk.groups, item.node);
   if (set.chunk == walk.first_chunk + walk.chunks) return false;

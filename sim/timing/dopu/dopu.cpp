@@ -3,6 +3,8 @@
 #include "sim/timing/dopu/dopu.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <stdexcept>
 
 #include "cpp_model/dopu/dopu_axis.hpp"
 #include "cpp_model/dopu/dopu_layer.hpp"
@@ -21,6 +23,7 @@ Dopu::Dopu(const Machine& m)
       grid_(m.config.grid),
       axis_(dopu_axis(m.frame)),
       walks_(m.trace.walks.size()),
+      judges_(m.frame.walk_most != 0),
       most_asked_(m.config.node_lines() / 2),
       asked_(most_asked_),
       table_line_(m.frame.tables.cells) {
@@ -74,7 +77,7 @@ void Dopu::step(Machine& m, Cycle now) {
   cycle.phase = static_cast<int>((now - frozen_) % 3);
   cycle.cell = item_valid_ && item_shown_ ? &item_ : nullptr;
   emit(m, cycle);
-  origin(cycle);
+  origin(m, cycle);
   port(m, cycle);
   nearest_ ? nearest_->step(cycle, sets_) : descend_->step(cycle, sets_);
   cells(m, cycle);
@@ -116,7 +119,8 @@ void Dopu::emit(Machine& m, DopuCycle& cycle) {
   emit_chunk_ = {};
   if (shifted_.data()) {
     const TimingNode& node = m.trace.chunks[shifted_.node];
-    emit_chunk_ = {0, node.first, node.count, shifted_.chunk->first, shifted_.chunk->survivors, 0};
+    emit_chunk_ = {0, node.first,          node.count, shifted_.chunk->first, shifted_.chunk->survivors,
+                   0, shifted_.chunk->walk};
     emit_last_ = round_robin(ready, emit_last_);
     emit_valid_ = uint32_t{1} << emit_last_;
     had_chunk_ = true;
@@ -135,7 +139,7 @@ void Dopu::emit(Machine& m, DopuCycle& cycle) {
 
 // --- dopu_origin -----------------------------------------------------------------------------------------------------
 
-void Dopu::origin(DopuCycle& cycle) {
+void Dopu::origin(const Machine& m, DopuCycle& cycle) {
   const Cycle now = cycle.now;
   const bool was_multiplying = multiplying_;
   if (multiplying_ && now >= multiplied_at_ && (!shifting_ || origin_taken_)) {
@@ -148,13 +152,18 @@ void Dopu::origin(DopuCycle& cycle) {
     shifting_ = false;
     cycle.changed = true;
   }
-  if (was_multiplying) return;
   const DopuItem* item = node(now);
   if (item == nullptr) return;
+  if (item->end == kWindowEndBeat && sets_[item->set].given_up) {
+    window_sent_ = cycle.node_taken = cycle.moved = cycle.changed = true;
+    return;
+  }
+  if (was_multiplying) return;
   multiplying_ = true;
   multiplied_ = *item;
   multiplied_at_ = now + (multiplied_.data() ? kOriginCycles : 1);
   window_sent_ = multiplied_.end == kWindowEndBeat;
+  if (window_sent_ && !m.trace.walks[sets_[multiplied_.set].walk].ends) multiplied_.end = kPartEndBeat;
   cycle.node_taken = cycle.moved = cycle.changed = true;
 }
 
@@ -217,14 +226,14 @@ void Dopu::cells(const Machine& m, DopuCycle& cycle) {
   if (advance || !inside) cycle.moved = cycle.changed = true;
   const bool read = advance && (inside || done);
   const bool is_end = end_next_ || done, window_end = walk_layer_ == grid_ - 1 || done;
-  const bool finished = read && is_end && window_end;
+  const bool finished = read && is_end && window_end, last = set.walk + 1 == walks_;
   if (read) {
     item_valid_ = true;
     item_ = {};
     item_.set = walk_set_;
     if (is_end) {
       item_.end = window_end ? kWindowEndBeat : kLayerEndBeat;
-      item_.last = window_end && set.last;
+      item_.last = window_end && last;
       item_shown_ = window_end || m.config.layered != 0;
     } else {
       item_.node = static_cast<uint32_t>(
@@ -234,7 +243,7 @@ void Dopu::cells(const Machine& m, DopuCycle& cycle) {
   }
   if (finished) {
     window_walked_ = true;
-    if (set.last) walking_ = false;
+    if (last) walking_ = false;
     walk_step_ = walk_layer_ = walk_number_ = 0;
     end_next_ = false;
   } else if (!inside) {
@@ -251,41 +260,94 @@ void Dopu::cells(const Machine& m, DopuCycle& cycle) {
 
 // --- dopu_windows ----------------------------------------------------------------------------------------------------
 
+bool Dopu::all_done(const Machine& m, size_t number) const {
+  const TimingWalk& walk = m.trace.walks[number];
+  RegionSet done;
+  for (const Ru& ru : m.ru) {
+    if (ru.window() == walk.window) done |= ru.done();
+  }
+  for (uint64_t part = 0; part < static_cast<uint64_t>(m.config.parts()); ++part) {
+    if (walk_has(m.config, walk.walk, part) && std::popcount(done.mask[part]) != m.config.mask_w()) return false;
+  }
+  return true;
+}
+
+// What is closed of the set's walk, none if that is no news for its planes.
+Closed Dopu::closed(const Machine& m, size_t set, Cycle now) const {
+  if (!sets_[set].valid || sets_[set].judges || sets_[set].given_up) return {};
+  const Closed closed = m.open.closed(m, sets_[set].walk, now);
+  return closed == sets_[set].closed ? Closed{} : closed;
+}
+
+// Planes are made anew; tells whether they are asked for.
+bool Dopu::refit(const Machine& m, Cycle now) {
+  for (const size_t set : {size_t{oldest_}, size_t{oldest_} ^ 1}) {
+    refit_closed_ = closed(m, set, now);
+    refit_set_ = set;
+    refit_ = !(refit_closed_ == Closed{});
+    if (refit_) return true;
+  }
+  return false;
+}
+
 void Dopu::windows(const Machine& m, DopuCycle& cycle) {
   const Cycle now = cycle.now;
   // done of the next cycle; the sets as they were when this one began.
   for (size_t s = 0; s < 2; ++s) {
-    bool done = sets_[s].valid && !m.config.has_lists();
-    for (const Ru& ru : m.ru) done = done && ru.window() == sets_[s].window && ru.all_done();
+    const bool done = sets_[s].valid && !sets_[s].judges && !m.config.has_lists() && all_done(m, sets_[s].walk);
     if (done != done_[s]) woken_ = cycle.changed = true;
     done_[s] = done;
   }
   if (planes_ == kPlanesBusy && now >= planes_at_) planes_ = kPlanesReady;
-  if (planes_ == kPlanesReady && !sets_[fill_].valid) {
+  const bool occlusion = m.config.occlusion != 0;
+  if (refit_) woken_ = cycle.changed = true;
+  if (planes_ == kPlanesReady && refit_) {
+    DopuSet& set = sets_[refit_set_];
+    set.closed_before = set.closed;
+    set.closed = refit_closed_;
+    set.closed_from = now + 1;
+    refit_ = false;
+    planes_ = kPlanesIdle;
+    planes_at_ = now + 1;
+  } else if (planes_ == kPlanesReady && !sets_[fill_].valid) {
     DopuSet& set = sets_[fill_];
+    const TimingWalk& walk = m.trace.walks[next_walk_];
     set.valid = set.fresh = true;
-    set.window = next_window_;
-    set.chunk = m.trace.walks[next_window_].first_chunk;
-    set.last = ++next_window_ == walks_;
+    set.given_up = false;
+    set.walk = next_walk_;
+    set.chunk = walk.first_chunk;
+    set.closed = set.closed_before = {};
+    set.judges = judges_ && walk.walk == kWholeWalk;
+    if (!set.judges) ++next_walk_;
     fill_ ^= 1;
     planes_ = kPlanesIdle;
     planes_at_ = now + 1;
     cycle.changed = true;
-  } else if (planes_ == kPlanesIdle && now >= planes_at_ && next_window_ < walks_) {
+  } else if (planes_ == kPlanesIdle && now >= planes_at_ &&
+             ((next_walk_ < walks_ && !sets_[fill_ ^ 1].judges && !(occlusion && sets_[fill_].valid)) ||
+              (occlusion && refit(m, now)))) {
     planes_ = kPlanesBusy;
     planes_at_ = now + kPlanesCycles;
+    if (refit_) woken_ = cycle.changed = true;
   }
   if (window_walked_) {
     sets_[walk_set_].fresh = false;
     walk_set_ ^= 1;
     cycle.changed = true;
   }
+  if (cycle.judged) {
+    DopuSet& set = sets_[fill_ ^ 1];
+    set.judges = false;
+    set.given_up = cycle.parts;
+    if (set.given_up != m.trace.walks[next_walk_++].given_up)
+      throw std::logic_error("timing model: another judgement than the trace's");
+  }
   if (window_sent_) {
     sets_[oldest_].valid = false;
     oldest_ ^= 1;
     cycle.changed = true;
   }
-  for (size_t s = 0; s < 2; ++s) sets_[s].done = done_[s] && sets_[s].valid;
+  for (size_t s = 0; s < 2; ++s) sets_[s].done = (done_[s] || sets_[s].given_up) && sets_[s].valid;
 }
 
 }  // namespace pipegs::timing

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// dopu.hpp: the DOPU in the timing model: the walk of the windows, from cells down to chunks.
+// dopu.hpp: the DOPU in the timing model: the walks of the windows, from cells down to chunks.
 //
 // RTL     rtl/dopu/: dopu_windows, dopu_cells, dopu_origin, dopu_emit; descend.hpp, nearest.hpp.
-// Idea    Which nodes pass is in the trace; here is only when. The unit plays its registers cycle by cycle while
-//         something in it moves. The box test takes a node in every third cycle of the unit's own clock, which stops
-//         after 127 quiet cycles, so the phase of the test depends on how long the unit has slept.
+// Idea    Which nodes pass, and which windows go by parts, is in the trace; here is only when. The unit plays its
+//         registers cycle by cycle while something in it moves. The box test takes a node in every third cycle of the
+//         unit's own clock, which stops after 127 quiet cycles, so the phase of the test depends on how long the unit
+//         has slept.
 #pragma once
 
 #include <memory>
@@ -23,6 +24,7 @@ struct ChunkBeat {
   uint32_t first = 0;  // its first survivor
   uint64_t survivors = 0;
   uint32_t mark = 0;  // watermark of a layer's end
+  uint32_t walk = 0;  // of TimingTrace::walks
 };
 
 class Dopu {
@@ -42,10 +44,13 @@ class Dopu {
   uint32_t ready_pus(const Machine& m, Cycle now) const;
   const DopuItem* node(Cycle now) { return nearest_ ? nearest_->shown(now, sets_) : descend_->shown(now, sets_); }
   void emit(Machine& m, DopuCycle& cycle);
-  void origin(DopuCycle& cycle);
+  void origin(const Machine& m, DopuCycle& cycle);
   void port(Machine& m, DopuCycle& cycle);
   void cells(const Machine& m, DopuCycle& cycle);
   void windows(const Machine& m, DopuCycle& cycle);
+  bool all_done(const Machine& m, size_t walk) const;
+  Closed closed(const Machine& m, size_t set, Cycle now) const;
+  bool refit(const Machine& m, Cycle now);
   void ask(Machine& m);
   uint64_t line(int level) const { return nearest_ ? nearest_->line(level) : descend_->line(level); }
   int lines(int level) const { return nearest_ ? nearest_->lines(level) : descend_->lines(level); }
@@ -55,6 +60,7 @@ class Dopu {
   std::array<int, 16> slabs_{};  // of each step; -1 outside the grid
   const int axis_;
   const size_t walks_;
+  const bool judges_;  // there are trials
   DopuSets sets_;
   std::unique_ptr<Descend> descend_;  // one of these
   std::unique_ptr<Nearest> nearest_;
@@ -99,11 +105,14 @@ class Dopu {
   bool window_walked_ = false;
 
   // dopu_windows
-  std::array<bool, 2> done_{};  // of the set's window, whether or not it is still needed
+  std::array<bool, 2> done_{};  // of the set's walk, whether or not it is still needed
   uint8_t fill_ = 0, oldest_ = 0;
-  size_t next_window_ = 0;
+  size_t next_walk_ = 0;
   enum Planes { kPlanesIdle, kPlanesBusy, kPlanesReady } planes_ = kPlanesIdle;
   Cycle planes_at_ = 1;
+  bool refit_ = false;  // they are made anew for a set that has some (Occlusion)
+  size_t refit_set_ = 0;
+  Closed refit_closed_;
 };
 
 }  // namespace pipegs::timing

@@ -22,9 +22,11 @@ struct Nearest::Said {
 Nearest::Nearest(const TimingTrace& trace, const Config& config)
     : trace_(trace),
       mark_chunks_(static_cast<uint32_t>(config.mark_chunks)),
-      since_most_((uint32_t{1} << (clog2(config.mark_chunks + 1) + (Config::window_marks() >> 3))) - 1),
+      since_most_((uint32_t{1} << (clog2(config.mark_chunks + 1) + 7)) - 1),
       near_step_(dopu_depth_near(trace.config, trace.frame)),
       mark_shift_(config.depth_w - config.step_w()),
+      load_(trace.config, trace.frame.walk_most),
+      load_cycles_((1 << trace.config.load_w()) / kLoadWord + 4),
       queue_(std::make_unique<NearestQueue>(config.nearest_nodes)),
       none_((1 << trace.config.bucket_w()) - 1),
       open_{Open(trace.frame.tables.groups, none_), Open(trace.frame.tables.chunks, none_)} {}
@@ -36,7 +38,14 @@ void Nearest::step(DopuCycle& cycle, DopuSets& sets) {
       is.through[0] || is.through[1] || is.through[2])
     cycle.moved = cycle.changed = true;
 
+  // dopu_load
+  const bool counted = is.through[1] && sets[static_cast<size_t>(set_[1])].judges, read = judge_at_ == now;
+  cycle.judged = many_groups_ || read || (counted && load_.fits());
+  cycle.parts = many_groups_ || (read && load_.overfull());
+  if (counted) judge_at_ = now + (load_.overfull() ? 5 + *load_.overfull() / kLoadWord : load_cycles_);
   enter(cycle, sets, is);
+  if (cycle.judged) load_.clear(), many_groups_ = false, judge_at_ = kNever, cycle.changed = true;
+  cycle.at(judge_at_);
   if (send(cycle, sets, is)) cycle.changed = true;
 
   // The queue, and the nodes that are opened.
@@ -56,10 +65,10 @@ void Nearest::step(DopuCycle& cycle, DopuSets& sets) {
   for (size_t l = 0; l < kLevels; ++l) {
     if (is.end_due) complete_[l][static_cast<size_t>(sent)] = false;
     if (!is.through[l]) continue;
-    complete_[l][static_cast<size_t>(set_[l])] = true;
-    set_[l] ^= 1;
     if (l == 0) cells_in_ = false;
     cycle.changed = true;
+    complete_[l][static_cast<size_t>(set_[l])] = true;
+    set_[l] ^= 1;
   }
   if (!in_test_.empty()) cycle.at(in_test_.front().due);
   cycle.at(queue_->next(now));
@@ -111,7 +120,8 @@ Nearest::Said Nearest::look(const DopuCycle& cycle, const DopuSets& sets) {
   is.lowest = opened ? none_ : unopened;
   if (has_first) is.lowest = std::min(is.lowest, first_send);
   is.end_due = idle_send && opened && !has_first;
-  is.mark_due = idle_send && !is.done && !is.end_due && since_ >= mark_chunks_ << (marks_ >> 3) &&
+  is.mark_due = idle_send && !is.done && !is.end_due &&
+                since_ >= mark_chunks_ << 8 * marks_ / (Config::window_marks() + 1) &&
                 marks_ != Config::window_marks() && is.lowest > mark_;
   const bool direct_chunk = is.full && idle && is.live[2] && set2 == send_set_;
   const bool chunk_due = first_send == is.lowest || (direct_chunk && first_send <= held_[2].front().node.bucket);
@@ -122,15 +132,18 @@ Nearest::Said Nearest::look(const DopuCycle& cycle, const DopuSets& sets) {
   // Opening: the nearest cell, the nearest group.
   const bool few = waiting_[static_cast<size_t>(set2)] < Config::nearest_ahead() && !crowded;
   const bool group_first = !some[2] || first[1] <= first[2];
-  const bool cell_first = set1 == set2 && (!some[2] || first[0] <= first[2]) && (!some[1] || first[0] <= first[1]);
+  const bool held_back = sets[static_cast<size_t>(set2)].judges;
+  const bool cell_first =
+      set1 == set2 && (!some[2] || first[0] <= first[2]) && (!some[1] || held_back || first[0] <= first[1]);
   const bool pop_cell = some[0] && (is.level_done[1] || (open_[0].room() && (!crowded || cell_first)));
-  const bool pop_group = some[1] && (is.level_done[2] || (open_[1].room() && (few || group_first)));
+  const bool pop_group = some[1] && (is.level_done[2] || (!held_back && open_[1].room() && (few || group_first)));
   is.pop = is.pop_send ? send_list : pop_group ? list(1, set2) : pop_cell ? list(0, set1) : -1;
   is.insert = is.any_live && idle && is.pop < 0 && !is.full;
   is.insert_level = is.live[2] ? 2 : is.live[1] ? 1 : 0;
   is.direct[2] = is.load_direct;
   for (size_t l = 0; l < 2; ++l)
     is.direct[l] = is.full && idle && is.pop < 0 && is.live[l] && open_[l].room() && set_[l] == set_[l + 1];
+  is.direct[1] = is.direct[1] && !held_back;
   for (size_t l = 0; l < kLevels; ++l) {
     is.retired[l] =
         is.held[l] && (!is.live[l] || is.direct[l] || (is.insert && is.insert_level == static_cast<int>(l)));
@@ -141,23 +154,23 @@ Nearest::Said Nearest::look(const DopuCycle& cycle, const DopuSets& sets) {
 // --- nodes to test: upper levels first -------------------------------------------------------------------------------
 
 Nearest::Result Nearest::child(int level, uint32_t node, bool last, const DopuSets& sets) {
-  const TimingWalk& walk = trace_.walks[sets[static_cast<size_t>(set_[static_cast<size_t>(level)])].window];
+  const TimingWalk& walk = trace_.walks[sets[static_cast<size_t>(set_[static_cast<size_t>(level)])].walk];
   Result result{last, false, {}};
   if (level == 0) {
     const auto at = std::lower_bound(walk.cells_ranked.begin(), walk.cells_ranked.end(), node,
                                      [](const TimingParent& a, uint32_t b) { return a.node < b; });
     if (at == walk.cells_ranked.end() || at->node != node) return result;
-    return {last, true, {at->bucket, static_cast<uint32_t>(at - walk.cells_ranked.begin())}};
+    return {last, true, {at->bucket, static_cast<uint32_t>(at - walk.cells_ranked.begin())}, at->sides};
   }
   uint32_t& cursor = open_[static_cast<size_t>(level - 1)].cursor;
   if (level == 1) {
     while (cursor < walk.groups_ranked.size() && walk.groups_ranked[cursor].node < node) ++cursor;
     if (cursor == walk.groups_ranked.size() || walk.groups_ranked[cursor].node != node) return result;
-    return {last, true, {walk.groups_ranked[cursor].bucket, cursor}};
+    return {last, true, {walk.groups_ranked[cursor].bucket, cursor}, walk.groups_ranked[cursor].sides};
   }
   while (cursor < walk.first_chunk + walk.chunks && trace_.chunks_sent[cursor].chunk < node) ++cursor;
   if (cursor == walk.first_chunk + walk.chunks || trace_.chunks_sent[cursor].chunk != node) return result;
-  return {last, true, {trace_.chunks_sent[cursor].bucket, cursor}};
+  return {last, true, {trace_.chunks_sent[cursor].bucket, cursor}, trace_.chunks_sent[cursor].sides};
 }
 
 void Nearest::enter(DopuCycle& cycle, const DopuSets& sets, const Said& is) {
@@ -178,7 +191,8 @@ void Nearest::enter(DopuCycle& cycle, const DopuSets& sets, const Said& is) {
     cycle.at(now + 1);
     if (!rank_ready) return false;
     cycle.changed = true;
-    in_test_.push(now, {now + kTestCycles, static_cast<uint8_t>(level), child(level, node, last, sets)});
+    in_test_.push(now, {now + kTestCycles, static_cast<uint8_t>(level), static_cast<uint8_t>(set_[l]),
+                        child(level, node, last, sets)});
     return true;
   };
   std::array<bool, kLevels> left{};
@@ -206,7 +220,14 @@ void Nearest::enter(DopuCycle& cycle, const DopuSets& sets, const Said& is) {
   }
   // Results.
   if (!in_test_.empty() && in_test_.front().due <= now) {
-    const InTest& in = in_test_.front();
+    InTest& in = in_test_.front();
+    const DopuSet& set = sets[in.set];
+    in.result.pass = in.result.pass && passes(in.result.sides, set, in.due - kTestCycles);
+    if (in.level == 1 && in.result.pass && set.judges) {
+      const TimingParent& group = trace_.walks[set.walk].groups_ranked[in.result.node.number];
+      load_.add(group.bucket, group.far, trace_.groups[group.node].count);
+      many_groups_ = load_.many_groups();
+    }
     if (in.result.pass || in.result.last) {
       held_[in.level].push(now, in.result);
     } else {
@@ -238,7 +259,7 @@ void Nearest::open(DopuCycle& cycle, const DopuSets& sets, const Said& is) {
     if (take) {
       const int set = popped ? queue_->list() & 1 : set_[child_level];
       const NearestNode node = popped ? queue_->node() : held_[static_cast<size_t>(l)].front().node;
-      const TimingWalk& walk = trace_.walks[sets[static_cast<size_t>(set)].window];
+      const TimingWalk& walk = trace_.walks[sets[static_cast<size_t>(set)].walk];
       const TimingParent& parent = l == 0 ? walk.cells_ranked[node.number] : walk.groups_ranked[node.number];
       const TimingNode& range = (l == 0 ? trace_.cells : trace_.groups)[parent.node];
       open.job = {true, range.first, range.count, {parent.first}};
@@ -269,7 +290,7 @@ bool Nearest::send(const DopuCycle& cycle, const DopuSets& sets, const Said& is)
   out_.set = static_cast<uint8_t>(send_set_);
   if (is.end_due) {
     out_.end = kWindowEndBeat;
-    out_.last = sets[out_.set].last;
+    out_.last = sets[out_.set].walk + 1 == trace_.walks.size();
     since_ = 0, mark_ = 0, marks_ = 0;
   } else if (is.mark_due) {
     out_.end = kLayerEndBeat;

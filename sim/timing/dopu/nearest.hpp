@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // nearest.hpp: from cells down to chunks in the timing model, the nearest first (order 2).
 //
-// RTL     rtl/dopu/nearest/dopu_nearest.sv, dopu_rank.sv, dopu_bucket.sv, dopu_open.sv, dopu_send.sv.
+// RTL     rtl/dopu/nearest/dopu_nearest.sv, dopu_rank.sv, dopu_bucket.sv, dopu_open.sv, dopu_send.sv;
+//         rtl/dopu/dopu_load.sv.
 // Idea    Which nodes pass, and in which bucket of depth, is in the trace; here is only when. The registers are played
 //         cycle by cycle while something moves: first what every part says in this cycle, then what it becomes.
 #pragma once
@@ -9,6 +10,7 @@
 #include <memory>
 
 #include "cpp_model/config.hpp"
+#include "cpp_model/dopu/dopu_load.hpp"
 #include "sim/timing/dopu/dopu_item.hpp"
 #include "sim/timing/line_reader.hpp"
 #include "sim/timing/dopu/nearest_queue.hpp"
@@ -31,6 +33,7 @@ class Nearest {
   static constexpr int kLevels = 3;
   static constexpr int kResults = Config::nearest_results(), kMost = Config::nearest_open();
   static constexpr Cycle kTestCycles = 13;  // of dopu_rank
+  static constexpr int kLoadWord = 4;       // buckets that dopu_load reads in a cycle
 
   struct Parent {
     uint32_t first_pass = 0;  // of its children
@@ -39,10 +42,11 @@ class Nearest {
   struct Result {
     bool last = false, pass = false;
     NearestNode node;
+    TimingSides sides = 0;
   };
   struct InTest {
     Cycle due = 0;
-    uint8_t level = 0;
+    uint8_t level = 0, set = 0;
     Result result;
   };
   struct Open {  // dopu_open
@@ -68,6 +72,12 @@ class Nearest {
   const TimingTrace& trace_;
   const uint32_t mark_chunks_, since_most_;
   const int near_step_, mark_shift_;
+
+  // dopu_load: of the set on trial
+  DopuLoad load_;
+  const Cycle load_cycles_;  // until all buckets are read
+  bool many_groups_ = false;
+  Cycle judge_at_ = kNever;  // while its buckets are read
 
   // levels: 0 scans cells, 1 opens cells, 2 opens groups
   std::array<int, kLevels> set_{};

@@ -71,8 +71,10 @@ void Parts::step(Machine& m, Cycle now, Output<Beat>& conic) {
     m.wheel.wake(unit(kCoeff, lane_), now + 1);
   };
   if (walking_) {
-    if (out.valid) return;  // pu_coeff wakes us
-    emit(next_++);
+    if (next_ != end_) {
+      if (out.valid) return;  // pu_coeff wakes us
+      emit(next_++);
+    }
     leaves = next_ == end_;
     walking_ = !leaves;
   } else if (is_end(beat)) {
@@ -82,8 +84,7 @@ void Parts::step(Machine& m, Cycle now, Output<Beat>& conic) {
   } else {
     next_ = m.trace.pairs[beat];
     end_ = m.trace.pairs[beat + 1];
-    leaves = next_ == end_;
-    walking_ = !leaves;
+    walking_ = true;
   }
   if (walking_) m.wheel.wake(self, now + 1);
   if (!leaves) return;

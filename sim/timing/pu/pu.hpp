@@ -20,7 +20,7 @@ namespace pipegs::timing {
 
 struct Machine;
 
-// pu_conic.sv, pu_coeff.sv: slots with a front record.
+// pu_conic.sv, pu_coeff.sv, at a pace of eight cycles: slots with a front record.
 struct SlotStage {
   bool active = false, fresh = false, front_valid = false;
   Beat front = 0;
@@ -73,28 +73,32 @@ class Pu {
     Beat end = 0;
     uint32_t first = 0;  // survivor
     uint64_t survivors = 0;
+    uint32_t walk = 0;
   };
   static constexpr int kMostJobs = 32;  // with one front for four PUs
   using Reader = LineReader<Header, kMostJobs>;
   enum Allocate { kTake, kDecide, kOffer };
 
+  bool beside(const Machine& m, Cycle now, unsigned place) const;
   bool take_tiles(Machine& m, Cycle now);
   void allocate(Machine& m, Cycle now);
   void late(Machine& m, Cycle now);
   void lines(Machine& m, Cycle now);
+  bool show(Phases& phases, bool& shown, Output<Beat>& out, Cycle now);
   void slot(Machine& m, Cycle now, SlotStage& stage, Output<Beat>& in, int giver, int self, int taker, int out_phase,
             int tail);
   uint64_t done_regions(const Machine& m, uint64_t part) const;
 
   const int lane_;
   const bool front_;
-  const bool late_, lists_, has_parts_, tight_;
+  const bool late_, lists_, has_parts_, tight_, four_;
 
   Reader reader_;
   bool chunk_room_ = true;  // in the next cycle
 
   // pu_cull
   std::array<Beat, 8> pipe_;
+  std::array<uint32_t, 8> pipe_walk_{};
   unsigned pipe_at_ = 0;
   int pipe_count_ = 0;
   Output<Beat> survivor_;  // only with TightCull, to pu_reach
@@ -102,10 +106,12 @@ class Pu {
   Queue<Beat, Config::reach_depth(), 12> reach_;
   bool reach_offered_ = false;  // its head is what pu_deal sees
 
-  Phases phases_;  // project to covariance
+  Phases phases_;        // project to covariance, at a pace of four cycles to conic
+  Phases coeff_phases_;  // coeff, at a pace of four cycles
   SlotStage conic_, coeff_;
-  Expand expand_;  // only with lists
-  Parts parts_;    // only with parts
+  bool conic_shown_ = false, coeff_shown_ = false;  // at a pace of four cycles: out is what the phases show
+  Expand expand_;                                   // only with lists
+  Parts parts_;                                     // only with parts
 
   SramQueue<Beat, Config::walk_depth()> walks_;  // before pu_intersect
   Intersect intersect_;

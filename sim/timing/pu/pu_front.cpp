@@ -14,9 +14,11 @@ Pu::Pu(const Machine& m, int lane)
       lists_(m.config.has_lists()),
       has_parts_(m.config.parts() > 1),
       tight_(m.config.tight_cull != 0),
+      four_(m.config.pace == 4),
       reader_(m.config.gaussians_per_line(), m.frame.tables.gaussians, m.config.geometry_jobs(),
               m.config.geometry_lines()),
-      phases_(m.config),
+      phases_(pu_built(m.config, "project", "conic")),
+      coeff_phases_(pu_built(m.config, "coeff", "coeff")),
       expand_(lane),
       parts_(lane),
       ended_(m.config.alpha_layers),
@@ -37,13 +39,13 @@ void Pu::reader(Machine& m, Cycle now) {
   const bool take = room && m.dopu.chunk_shown(lane_, now) && (!is_mark || marks.room(now));
   if (take) {
     const ChunkBeat& chunk = m.dopu.take_chunk(m, lane_);
-    m.show(now, Border::kChunk, lane_, is_end(chunk.end) ? shown_end(chunk.end == kWindowEndBeat) : 0);
+    m.show(now, Border::kChunk, lane_, is_end(chunk.end) ? end_kind(chunk.end) : 0);
     if (is_mark) marks.push(now, chunk.mark);
     if (!front_) return;
     job.read = !is_end(chunk.end);
     job.first = chunk.slot;
     job.count = chunk.count;
-    job.tag = {chunk.end, chunk.first, chunk.survivors};
+    job.tag = {chunk.end, chunk.first, chunk.survivors, chunk.walk};
   }
   reader_.step(now, m.memory.granted(port, now), m.memory.answered(port), take ? &job : nullptr);
   if (reader_.wants()) m.memory.ask(port, reader_.line(), false, reader_.lines());
@@ -60,6 +62,13 @@ void Pu::reader(Machine& m, Cycle now) {
 
 // --- pu_cull ---------------------------------------------------------------------------------------------------------
 
+// With Occlusion: whether the Gaussian there touches nothing of the rectangle around what is open.
+bool Pu::beside(const Machine& m, Cycle now, unsigned place) const {
+  const Beat beat = pipe_[place];
+  if (beat == kBubble || is_end(beat)) return false;
+  return beyond(m.open.closed(m, pipe_walk_[place], now), m.trace.most[beat]);
+}
+
 void Pu::cull(Machine& m, Cycle now) {
   Output<Beat>& out = tight_ ? survivor_ : culled;
   if (out.valid) return;  // pu_deal or pu_reach wakes us
@@ -70,9 +79,11 @@ void Pu::cull(Machine& m, Cycle now) {
     --pipe_count_;
   }
   Beat entering = kBubble;
+  uint32_t reader_walk = 0;
   const bool item = reader_.item_shown(now);
   if (item) {
     const Reader::Job& job = reader_.job();
+    reader_walk = job.tag.walk;
     if (!job.read) {
       entering = job.tag.end;
     } else if ((job.tag.survivors >> reader_.item() & 1) != 0) {
@@ -83,6 +94,12 @@ void Pu::cull(Machine& m, Cycle now) {
     if (reader_.needs_step(now)) m.wheel.wake_now(unit(kReader, lane_));
   }
   pipe_[pipe_at_] = entering;
+  if (item) pipe_walk_[pipe_at_] = reader_walk;
+  // The rectangle goes into the register behind stage 4.
+  if (const unsigned place = (pipe_at_ + 3) % 8; m.config.occlusion && beside(m, now, place)) {
+    pipe_[place] = kBubble;
+    --pipe_count_;
+  }
   pipe_at_ = pipe_at_ + 1 == pipe_.size() ? 0 : pipe_at_ + 1;
   if (entering != kBubble) ++pipe_count_;
   if (pipe_count_ > 0 || item) m.wheel.wake(unit(kCull, lane_), now + 1);
@@ -110,7 +127,7 @@ void Pu::reach(Machine& m, Cycle now) {
   m.wheel.wake(unit(kDeal), culled.from);
 }
 
-// --- stages of eight cycles ------------------------------------------------------------------------------------------
+// --- stages of eight or four cycles ----------------------------------------------------------------------------------
 
 void Pu::project(Machine& m, Cycle now) {
   if (visible.empty() || !phases_.can_take()) return;  // pu_deal, or pu_conic wakes us
@@ -120,7 +137,7 @@ void Pu::project(Machine& m, Cycle now) {
   if (visible.count() == Config::visible_depth()) m.wheel.wake(unit(kDeal), now + 1);
   const Beat beat = visible.front();
   visible.pop(now);
-  if (phases_.take(now, beat)) m.wheel.wake(unit(kConic, lane_), phases_.out.from);
+  if (phases_.take(now, beat)) m.wheel.wake(unit(kConic, lane_), four_ ? now + 1 : phases_.out.from);
   if (!visible.empty() && phases_.can_take()) m.wheel.wake(self, std::max(phases_.ready(), visible.head_from()));
 }
 
@@ -154,8 +171,28 @@ void Pu::slot(Machine& m, Cycle now, SlotStage& stage, Output<Beat>& in, int giv
   m.wheel.wake(self, stage.out_at);
 }
 
+// At a pace of four cycles the last stage of `phases` shows what it has at `out`, its own until that is taken: tells
+// whether it was.
+bool Pu::show(Phases& phases, bool& shown, Output<Beat>& out, Cycle now) {
+  const bool taken = shown && !out.valid;
+  if (taken) {
+    shown = phases.out.valid = false;
+    phases.taken(now);
+  }
+  if (!shown && phases.out.valid) {
+    shown = true;
+    out.set(phases.out.from, phases.out.value);
+  }
+  return taken;
+}
+
 void Pu::conic(Machine& m, Cycle now) {
   const bool there = phases_.out.valid;
+  if (four_) {
+    if (show(phases_, conic_shown_, conic_.out, now)) m.wheel.wake_now(unit(kProject, lane_));
+    if (conic_.out.valid) m.wheel.wake(unit(lists_ || has_parts_ ? kExpand : kCoeff, lane_), conic_.out.from);
+    return;
+  }
   slot(m, now, conic_, phases_.out, unit(kProject, lane_), unit(kConic, lane_),
        unit(lists_ || has_parts_ ? kExpand : kCoeff, lane_), 5, 3);
   if (!there || phases_.out.valid) return;
@@ -164,6 +201,21 @@ void Pu::conic(Machine& m, Cycle now) {
 
 void Pu::coeff(Machine& m, Cycle now) {
   Output<Beat>& in = lists_ ? expand_.out : has_parts_ ? parts_.out : conic_.out;
+  if (four_) {
+    show(coeff_phases_, coeff_shown_, coeff_.out, now);
+    if (in.valid && coeff_phases_.can_take()) {
+      const Cycle when = std::max(coeff_phases_.ready(), in.from);
+      if (when > now) m.wheel.wake(unit(kCoeff, lane_), when);
+      if (when <= now) {
+        in.valid = false;
+        m.wheel.wake_now(unit(lists_ || has_parts_ ? kExpand : kConic, lane_));
+        coeff_phases_.take(now, in.value);
+        show(coeff_phases_, coeff_shown_, coeff_.out, now);
+      }
+    }
+    if (coeff_.out.valid) m.wheel.wake(unit(kIntersect, lane_), coeff_.out.from);
+    return;
+  }
   slot(m, now, coeff_, in, unit(lists_ || has_parts_ ? kExpand : kConic, lane_), unit(kCoeff, lane_),
        unit(kIntersect, lane_), 3, 5);
 }

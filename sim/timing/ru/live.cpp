@@ -49,7 +49,8 @@ void Live::step(Machine& m, Cycle now, int lane, bool job) {
   if (job) last_issue_ = now;
   for (unsigned g = 0; g < kGroups; ++g) {
     Group& group = groups_[g];
-    const int quad = job || group.count == 0 ? -1 : issue(group, g);
+    const int quad = job || group.count == group.fresh ? -1 : issue(group, g);
+    group.fresh = 0;
     group.recent = group.recent << 16 | static_cast<uint16_t>(quad);
     if (quad < 0) continue;
     last_issue_ = now;
@@ -69,6 +70,7 @@ void Live::step(Machine& m, Cycle now, int lane, bool job) {
       group.queue[(group.head + group.count++) % kHalves] = {
           static_cast<uint8_t>(region_of(pixels_)), static_cast<uint8_t>(half),
           static_cast<uint8_t>((first >> g & 1) | (second >> g & 1) << 1)};
+      group.fresh = 1;
       ++queued_;
     }
     halves_ &= halves_ - 1;

@@ -56,6 +56,7 @@ class Live {
   struct Group {
     std::array<Half, kHalves> queue;
     unsigned head = 0, count = 0;
+    unsigned fresh = 0;              // of `count`, what came in the latest cycle: it is not at the output yet
     bool second = false;             // of the head, the first quad is issued
     uint64_t recent = ~uint64_t{0};  // quads issued in the latest cycles, 16 bits each, none: all ones
   };

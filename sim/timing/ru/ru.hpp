@@ -48,7 +48,7 @@ class Ru {
   bool all_done() const { return done_ == owned_; }
   size_t window() const { return window_; }  // number in the frame
 
-  SramQueue<Splat, 64> queue;
+  SramQueue<Splat, 256> queue;
   // The last cycle in which a window ended or, with quads, a job was inside: those below the picture write nothing.
   Cycle last_busy() const { return std::max(window_done_at_, last_job_ + Live::kInside - 1); }
   bool written() const { return lines_left_ == 0 && drain_.empty() && !memory_valid_; }

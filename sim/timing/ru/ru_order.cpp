@@ -42,8 +42,8 @@ void Merge::step(Machine& m, Cycle now) {
     if (nearest < 0 || su.head().key < key) nearest = i, key = su.head().key;
   }
   const bool ends = nearest < 0;
-  // A watermark has done its work.
-  const bool mark = ends && m.config.has_watermarks() && m.su[0].head().splat.beat == kLayerEndBeat;
+  // A watermark, or the end of a part, has done its work.
+  const bool mark = ends && m.config.has_watermarks() && m.su[0].head().splat.beat != kWindowEndBeat;
   for (int i = 0; i < m.units; ++i) {
     if (!ends && i != nearest) continue;
     Su& su = m.su[static_cast<size_t>(i)];

@@ -100,13 +100,14 @@ Su::Now Su::look(const Machine& m, Cycle now) {
   // Splitter, sorter, output.
   is.split_idle = split_idle(now);
   is.bitonic_idle = bitonic_idle();
-  const bool outer = Spills && external_.item();
-  is.item = outer || (!sorting_ && sent_ < live_);
-  is.item_end = !outer && live_end_;
+  is.returns = Spills && returns();
+  is.outer = is.returns ? !external_.pool.empty() : Spills && external_.item();
+  is.item = is.outer || (!sorting_ && sent_ < live_);
+  is.item_end = !is.outer && live_end_;
   is.emit_empty = waiting_.empty() && !out_.valid && out_taken_at_ != now;
   is.spilled = Spills && open();
   is.sends = is.spilled && external_.last;
-  is.diverts = Spills && diverts();
+  is.diverts = Spills && (diverts() || is.returns);
   is.chain = chains_.valid(now);
   is.chain_end = is.chain && is_end(chains_.front().end);
   is.batch_ready = !sorting_ && !loaded_ && (fill_ >= live_ || fill_ < sent_);
@@ -115,21 +116,29 @@ Su::Now Su::look(const Machine& m, Cycle now) {
                is.emit_empty;
   is.hungry = chains_.empty() && is.split_idle;
 
-  // Output of a set that spilled: its marks go between its splats.
+  // Output of a set that spilled: its mark goes behind the splats that it releases.
   is.sent_all = Spills && external_.level == kSent && !is.item;
-  is.mark_first = is.sends && mark && (is.sent_all || (!head.all && is.item && head.bucket <= bucket_of(item().key)));
-  is.emit_item = is.mark_first || (is.item && (!is.sends || mark));
+  is.mark_first = is.sends && mark && is.sent_all;
+  is.emit_item = is.mark_first || is.item;
   is.outside = is.spilled && !is.mark_first && !is.item_end;
   const bool keeps = is.outside && !is.sends;
   is.emit_ready = keeps ? looked_ && !external_.lines_full : waiting_.room(now) && !ask_ && (!is.outside || looked_);
   is.kept = keeps && is.emit_item && is.emit_ready;
-  is.item_goes = is.item && is.emit_ready && !is.mark_first && (!is.sends || mark);
-  is.spill_done = is.mark_first && head.all && is.emit_ready;
+  is.item_goes = is.item && is.emit_ready;
+  is.sent = is.mark_first && is.emit_ready;
+  is.again = is.sent && !head.all && external_.rest != 0;
+  is.stay = is.again && external_.rest > static_cast<uint32_t>(config_.su_refill());
+  is.returned = is.returns && external_.pool.empty() && is.drained;
+  is.spill_end = (is.sent && !is.again) || is.returned;
 
-  // What comes in.
-  is.in = in_.valid(now) ? &in_.front().splat : nullptr;
+  // What comes in, or returns.
+  if (is.returns) {
+    if (out_.shown(now)) diverted_record_ = out_.value, is.in = &diverted_record_.splat;
+  } else if (in_.valid(now)) {
+    is.in = &in_.front().splat;
+  }
   is.data = is.in != nullptr && !is_end(is.in->beat);
-  is.open = collect_ == kCollect && !closed_[set_];
+  is.open = (collect_ == kCollect && !closed_[set_]) || is.returns;
   const bool insert = is.data && is.open && slot_valid(now);
 
   // Buckets.
@@ -182,8 +191,7 @@ Su::Now Su::look(const Machine& m, Cycle now) {
 
   // Collect.
   is.record = Spills ? shown_record(now) : kNoRecord;
-  is.spill_start =
-      is.data && is.open && used_ == records_ && (is.drained || (marks_cut_ && m.other_spills(lane_, now)));
+  is.spill_start = is.data && is.open && !is.returns && used_ == records_ && is.drained;
   is.write = is.insert;
   is.mark_push = is.in != nullptr && !is.data && (is.open || collect_ == kSpill) && marks_.room(now);
   is.taken = is.write || is.mark_push || (is.record == kFromIn && record_taken_);
@@ -210,16 +218,16 @@ void Su::collect(Machine& m, Cycle now, const Now& is) {
     m.peak_records = std::max(m.peak_records, static_cast<uint64_t>(used_));
   }
   const Collect before = collect_;
-  const bool all = is.in != nullptr && (!marks_cut_ || is.in->beat == kWindowEndBeat);
+  const bool all = is.in != nullptr && (!marks_cut_ || is.in->beat != kLayerEndBeat);
   switch (collect_) {
     case kCollect:
       if (is.spill_start) collect_ = kSpill;
       break;
     case kSpill:
-      if (is.mark_push && all) collect_ = kSort;
+      if (is.mark_push) collect_ = kSort;
       break;
     case kSort:
-      if (is.spill_done) collect_ = kCollect;
+      if (is.stay || is.spill_end) collect_ = is.stay ? kSpill : kCollect;
       break;
   }
   if (is.mark_push) {
@@ -229,11 +237,8 @@ void Su::collect(Machine& m, Cycle now, const Now& is) {
     if (all && before == kCollect) closed_[set] = true, set_ ^= 1;
   }
   if (collect_ != before) moved_ = true;
-  if ((collect_ == kSpill) != (before == kSpill)) {
-    spill_turned_ = now;
-    for (int k = 0; k < m.units; ++k) m.wheel.wake(unit(kSu, k), now + 1);
-  }
-  if (is.taken) in_.pop(now), moved_ = true;
+  if (is.taken) moved_ = true;
+  if (is.taken && !is.returns) in_.pop(now);
 }
 
 // The stage in front of the unit.

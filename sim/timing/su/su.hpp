@@ -61,14 +61,11 @@ class Su {
   void step(Machine& m, Cycle now);
 
   // For su_merge.
-  bool shown(Cycle now) const { return out_.shown(now) && !diverts(); }
+  bool shown(Cycle now) const { return out_.shown(now) && !diverts() && !returns(); }
   const Sorted& head() const { return out_.value; }
   void taken(Machine& m, Cycle now);
 
   bool ready(Cycle now) const { return ready_at_ == now ? ready_ : in_.room(now); }  // for a record from the lists
-  bool spilling(Cycle now) const {
-    return (collect_ == kSpill) != (spill_turned_ == now);
-  }  // a register: as this cycle began
 
  private:
   static constexpr int kAnswers = Config::su_answers(), kKeysPerLine = 8, kGroup = 16, kRecordLine = -1;
@@ -98,10 +95,10 @@ class Su {
   };
   enum Collect { kCollect, kSpill, kSort };
   enum Operation { kNone, kInsert, kWord, kEntry };
-  enum Spill { kSpillIdle, kWait, kRelease, kDrain, kClose, kSend };
+  enum Spill { kSpillIdle, kRelease, kDrain, kClose, kSend, kRefill };
   enum Source { kNoRecord, kFromIn, kFromBack };
   enum Choice { kNothing, kRecord, kKeys, kRun, kFetch, kRead };
-  enum Form { kFormIdle, kLoad, kGroupGoes, kSortRun };
+  enum Form { kLoad, kGroupGoes, kSortRun, kReturn };
   enum Level { kForm, kSize, kSetup, kStart, kMerge, kSent };
   enum Tree { kTreeIdle, kLook, kTake, kCompare };
 
@@ -120,8 +117,12 @@ class Su {
     int held = 0, ready = 0;          // lines
   };
   struct External {
-    Form form = kFormIdle;  // su_runs
-    uint32_t first = 0, size = 0, filled = 0, asked = 0;
+    Form form = kLoad;        // su_runs
+    std::deque<Sorted> pool;  // of the run, or of what returns
+    // Lines of the list asked for; its keys seen, in runs, left for later; the bucket before which all were sent; what
+    // is left returns.
+    uint32_t asked = 0, seen = 0, formed = 0, rest = 0, from = 0;
+    bool refill = false;
     Level level = kForm;  // su_levels
     uint32_t lines = 0, next_line = 0, merged_lines = 0, merged_line = 0, ways_used = 0, merges = 0, sum = 0;
     int way = 0, levels = 1;
@@ -156,15 +157,17 @@ class Su {
   uint32_t bucket_of(uint64_t key) const {
     return static_cast<uint32_t>(su_bucket(config_, key >> (config_.key_w() - config_.depth_w), octave_));
   }
-  bool open() const { return spill_ == kClose || spill_ == kSend; }  // the pool is empty
+  bool open() const { return spill_ == kClose || closed(); }  // the pool is empty
+  bool closed() const { return spill_ == kSend || spill_ == kRefill; }
+  bool returns() const { return external_.form == kReturn; }                    // the output goes into the pool
+  bool lists() const { return external_.level == kForm || spill_ == kRefill; }  // memory is asked for the list
   bool closes() const { return spill_ == kClose && collect_ == kSort; }
   Source shown_record(Cycle now) const;
   bool keys_listed(bool shown) const;
-  bool fetches() const {
-    return external_.level == kForm ? external_.form == kLoad && external_.asked * kKeysPerLine < external_.size
-                                    : external_.asking;
+  bool fetches(Cycle now) const;
+  const Sorted& item() const {
+    return returns() ? external_.pool.front() : external_.item() ? external_.rising.item : batches_.front().item;
   }
-  const Sorted& item() const { return external_.item() ? external_.rising.item : batches_.front().item; }
   uint64_t overflow_line(const Machine& m, Area area, uint64_t line) const;
 
   void begin_split(Cycle now, uint64_t min, uint64_t max);
@@ -178,7 +181,7 @@ class Su {
   void buckets(Cycle now, const Now& is);
   void spill(const Machine& m, const Now& is);
   void external(Cycle now, const Now& is);
-  void form_runs(Cycle now, bool line, bool written);
+  void form_runs(Cycle now, const Now& is, bool line, bool written);
   void merge_levels(const Now& is, bool done);
   void ask_ways(Cycle now, bool line, bool setup);
   bool rise(const Now& is);
@@ -203,14 +206,14 @@ class Su {
   int fresh_ = 0, used_ = 0, back_ = 0;  // back_: slots that came back
   std::array<Cycle, 4> back_at_{};       // when the latest did
   int back_next_ = 0;
+  uint32_t freed_ = kNil;  // slot that becomes free in the next cycle
   Cycle back_pop_ = kLongAgo;
 
   // su_collect
   Collect collect_ = kCollect;
-  Cycle spill_turned_ = kLongAgo;  // when it began or ceased to be kSpill
   uint8_t set_ = 0;
   std::array<bool, 2> closed_{};
-  SramQueue<Mark, 128> marks_;
+  Queue<Mark, 2 * (Config::window_marks() + 1), 3> marks_;  // the one in front stands in registers
 
   // su_buckets
   Operation operation_ = kNone;
@@ -253,10 +256,9 @@ class Su {
   // su_spill
   Spill spill_ = kSpillIdle;
   std::vector<Sorted> records_out_;  // records of the set in memory
-  uint64_t min_ = 0, max_ = 0;       // keys
   bool back_held_ = false;           // the record shown is one out of the pool, and was in the cycle before
   bool keys_sent_ = false;           // the line of keys that the shown record completes, or the last one, is written
-  Sorted diverted_record_;
+  Sorted diverted_record_;           // of the output, that goes to memory or into the pool
 
   // su_external
   External external_;
@@ -266,7 +268,6 @@ class Su {
   Choice choice_ = kNothing;
   int flight_ = 0;   // lines asked for and not yet used
   int awaited_ = 0;  // of these, the unanswered ones
-  int behind_ = 0;   // answers until that to the last read of a record
   SramQueue<uint8_t, kAnswers> answers_;
   std::deque<int> owners_;  // of the lines in flight: a way, or kRecordLine
   bool record_taken_ = false, keys_taken_ = false, run_taken_ = false, fetch_taken_ = false, read_taken_ = false,
@@ -277,8 +278,8 @@ class Su {
 
 // What the parts say in a cycle, from the registers as it began.
 struct Su::Now {
-  bool item, item_end, split_idle, bitonic_idle, emit_empty, drained, spilled, sends, outside, kept, diverts, spill_job;
-  bool mark_waits, mark_first, mark_all, spill_done, emit_item, emit_ready, item_goes;
+  bool item, outer, item_end, split_idle, bitonic_idle, emit_empty, drained, spilled, sends, outside, kept, diverts;
+  bool spill_job, mark_waits, mark_first, mark_all, emit_item, emit_ready, item_goes;
   bool chain, chain_end, batch_ready, batch_valid;
   bool hungry, link_ready, released_room, sent_all;
   uint8_t mark_set;
@@ -289,6 +290,8 @@ struct Su::Now {
   uint8_t job_set;
   Bits candidates;
   Operation next;
+  // a set that spilled: its mark leaves; then what is left
+  bool sent, again, stay, returns, returned, spill_end;
   // collect
   const Splat* in;
   Source record;

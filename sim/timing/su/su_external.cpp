@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// su_external.cpp: the merge sort of a set that a Sorting Unit brought to memory: see su.hpp.
+// su_external.cpp: the merge sort of a set that a Sorting Unit brought to memory, up to a mark: see su.hpp.
 //
 // RTL     rtl/su/sort/: su_runs, su_levels, su_ways, su_tree, su_lines.
 // Idea    Lines of memory are only counted: the keys of a run are kept beside its ways and nodes.
@@ -14,12 +14,12 @@ void Su::external(Cycle now, const Now& is) {
   if (is.spilled || is.spill_start) moved_ = true;
   // What the parts say, from the registers as the cycle began.
   const bool line = answers_.valid(now) && owners_.front() != kRecordLine;
-  const bool forms = e.level == kForm, written = e.written(), merged = e.tree == kTreeIdle;
+  const bool forms = e.level == kForm, list = lists(), written = e.written(), merged = e.tree == kTreeIdle;
   const bool setup = e.level == kSetup, start = e.level == kStart;
-  const bool formed = spill_ == kSend && e.form == kFormIdle && e.first * kKeysPerLine >= records_out_.size();
+  const bool formed = e.form == kLoad && closed() && e.seen == records_out_.size() && e.pool.empty() && !e.refill;
   keep_keys(is, start);
-  if (forms) {
-    form_runs(now, line, written);
+  if (list) {
+    form_runs(now, is, line, written);
   } else {
     const int way = e.rising.way;
     const bool release = rise(is);
@@ -33,8 +33,13 @@ void Su::external(Cycle now, const Now& is) {
     }
   }
   merge_levels(is, forms ? formed : merged && (e.last || written));
-  if (is.spill_start) {
-    e.first = 0;
+  if (is.spill_start || is.again) {
+    e.asked = e.seen = e.formed = e.rest = 0;
+    e.from = is.again ? is.mark_bucket : 0;
+    e.refill = is.again && !is.stay;
+  }
+  if (is.spill_start || is.stay) {
+    e.level = kForm;
     const auto keys = static_cast<uint32_t>(records_ / kKeysPerLine * kKeysPerLine);
     e.lines = (keys + static_cast<uint32_t>(config_.su_run_keys()) - 1) / static_cast<uint32_t>(config_.su_run_keys());
     e.area = true;
@@ -56,45 +61,62 @@ void Su::keep_keys(const Now& is, bool merges) {
     --e.lines_left;
   }
   if (e.level == kForm ? e.form == kGroupGoes : merges && !e.last) {
-    e.lines_left = e.level == kForm ? e.size : e.sum;
+    e.lines_left = e.level == kForm ? static_cast<uint32_t>(e.pool.size()) : e.sum;
     e.merged.emplace_back();
   }
 }
 
 // --- su_runs ---------------------------------------------------------------------------------------------------------
 
-void Su::form_runs(Cycle now, bool line, bool written) {
+bool Su::fetches(Cycle now) const {
+  const External& e = external_;
+  if (!lists()) return e.asking;
+  const auto count = static_cast<uint32_t>(records_out_.size());
+  const bool begins = marks_cut_ ? closed() && (marks_.valid(now) || e.refill) : open();
+  return begins && e.form != kReturn && e.asked < (closed() ? count + kKeysPerLine - 1 : count) / kKeysPerLine;
+}
+
+void Su::form_runs(Cycle now, const Now& is, bool line, bool written) {
   External& e = external_;
   const auto count = static_cast<uint32_t>(records_out_.size());
-  const auto run_lines = static_cast<uint32_t>(records_ / kKeysPerLine);
-  const bool whole = count / kKeysPerLine >= e.first + run_lines;
+  if (fetch_taken_) ++e.asked;
   switch (e.form) {
-    case kFormIdle:
-      if (!open() || !(whole || (spill_ == kSend && e.first * kKeysPerLine < count))) break;
-      e.size = whole ? run_lines * kKeysPerLine : count - e.first * kKeysPerLine;
-      e.asked = e.filled = 0;
-      e.form = kLoad;
-      break;
-    case kLoad:
-      if (fetch_taken_) ++e.asked;
-      if (e.filled == e.size) {
-        e.form = kGroupGoes;
-      } else if (line) {
-        ++e.filled;
-        if (e.filled % kKeysPerLine == 0 || e.filled == e.size)
+    case kLoad: {
+      const bool full = e.pool.size() == static_cast<size_t>(records_ / kKeysPerLine * kKeysPerLine);
+      const bool through = closed() && e.seen == count, some = !e.pool.empty();
+      if (line && !full) {
+        const Sorted& record = records_out_[e.seen];
+        const uint32_t bucket = marks_cut_ ? bucket_of(record.key) : 0;
+        if (!marks_cut_ || (bucket >= e.from && (e.refill || is.mark_all || bucket < is.mark_bucket)))
+          e.pool.push_back(record);
+        else if (bucket >= e.from) ++e.rest;
+        ++e.seen;
+        if (e.seen % kKeysPerLine == 0 || (closed() && e.seen == count))
           answers_.pop(now), owners_.pop_front(), line_used_ = true;
       }
+      if (e.refill && through) {
+        if (is.drained) e.form = kReturn;
+      } else if (some && (full || through)) {
+        e.form = kGroupGoes;
+      }
       break;
+    }
     case kGroupGoes: {
       order_.clear();
-      const size_t from = size_t{e.first} * kKeysPerLine;
-      for (size_t i = from; i < from + e.size; ++i) order_.push_back({records_out_[i], kNil, false});
-      begin_split(now, min_, max_);
+      for (const Sorted& record : e.pool) order_.push_back({record, kNil, false});
+      const auto [nearest, farthest] = std::minmax_element(
+          e.pool.begin(), e.pool.end(), [](const Sorted& a, const Sorted& b) { return a.key < b.key; });
+      begin_split(now, nearest->key, farthest->key);
+      e.formed += static_cast<uint32_t>(e.pool.size());
       e.form = kSortRun;
       break;
     }
     case kSortRun:
-      if (written) e.form = kFormIdle, e.first += run_lines;
+      if (written) e.form = kLoad, e.pool.clear();
+      break;
+    case kReturn:
+      if (is.item_goes) e.pool.pop_front();
+      if (is.returned) e.form = kLoad;
       break;
   }
 }
@@ -185,7 +207,7 @@ bool Su::rise(const Now& is) {
 // done: all keys are in runs, or the merge is.
 void Su::merge_levels(const Now& is, bool done) {
   External& e = external_;
-  const auto count = static_cast<uint32_t>(records_out_.size());
+  const uint32_t count = e.formed;
   const auto most = static_cast<uint32_t>(config_.su_ways());
   switch (e.level) {
     case kForm:
@@ -246,7 +268,7 @@ void Su::merge_levels(const Now& is, bool done) {
       e.level = e.last ? kSent : kSize;
       break;
     case kSent:
-      if (is.spill_done) e.level = kForm;
+      if (is.spill_end) e.level = kForm;
       break;
   }
 }

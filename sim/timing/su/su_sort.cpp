@@ -15,17 +15,20 @@ int sort_cycles(int keys) { return keys <= 1 ? 0 : keys <= 2 ? 1 : keys <= 4 ? 3
 // --- su_emit ---------------------------------------------------------------------------------------------------------
 
 void Su::emit(Cycle now, const Now& is) {
-  // From the queue to the output; the record's slot becomes free.
+  if (freed_ != kNil) {
+    free_slots_.push_back(freed_);
+    ++back_;
+    back_at_[static_cast<size_t>(back_next_++) & 3] = now;
+    --used_;
+    freed_ = kNil;
+    moved_ = true;
+  }
+  // From the queue to the output; the record's slot becomes free in the next cycle.
   if (!out_.valid && waiting_.valid(now)) {
     const Entry& entry = waiting_.front();
     out_outside_ = entry.outside;
     out_.set(out_outside_ ? kNever : now + 1, entry.item);
-    if (entry.slot != kNil) {
-      free_slots_.push_back(entry.slot);
-      ++back_;
-      back_at_[static_cast<size_t>(back_next_++) & 3] = now;
-      --used_;
-    }
+    freed_ = entry.slot;
     waiting_.pop(now);
     moved_ = true;
   }
@@ -44,7 +47,7 @@ void Su::emit(Cycle now, const Now& is) {
   if (is.mark_first) {
     entry.item.splat.beat = is.mark_end;
     marks_.pop(now);
-  } else if (external_.item()) {
+  } else if (is.outer) {
     entry.item = item();
     entry.outside = ask_ = true;
     ask_line_ = entry.item.number;
@@ -93,7 +96,7 @@ void Su::begin_split(Cycle now, uint64_t min, uint64_t max) {
 void Su::sort(Cycle now, const Now& is) {
   const bool end_goes = is.chain_end && is.split_idle && is.batch_ready, load = is.batch_valid && is.batch_ready;
   const bool start = !sorting_ && loaded_ && sent_ == live_;
-  if (is.item_goes && !external_.item()) ++sent_, batches_.pop(now), moved_ = true;
+  if (is.item_goes && !is.outer) ++sent_, batches_.pop(now), moved_ = true;
   if (load) {
     batches_.push(now, order_[next_++]);
     ++fill_;

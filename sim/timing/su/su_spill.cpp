@@ -15,15 +15,12 @@ void Su::port(Machine& m, Cycle now) {
   record_taken_ = keys_taken_ = run_taken_ = fetch_taken_ = read_taken_ = false;
   if (spill_ == kSpillIdle && collect_ != kSpill && choice_ == kNothing && awaited_ == 0) return;
   const bool shown = shown_record(now) != kNoRecord, listed = keys_listed(shown);
-  const bool writes = behind_ == 0;
   if (m.memory.answered(port_)) {
     answers_.push(now, 0);
     --awaited_;
-    if (behind_ > 0) --behind_;
     moved_ = true;
   }
   const External& e = external_;
-  const bool forms = e.level == kForm;
   if (m.memory.granted(port_, now)) {
     record_taken_ = choice_ == kRecord;
     keys_taken_ = choice_ == kKeys;
@@ -33,8 +30,7 @@ void Su::port(Machine& m, Cycle now) {
     if (fetch_taken_ || read_taken_) {
       ++flight_;
       ++awaited_;
-      if (read_taken_) behind_ = awaited_;
-      owners_.push_back(read_taken_ ? kRecordLine : forms ? 0 : e.asked_way);
+      owners_.push_back(read_taken_ ? kRecordLine : lists() ? 0 : e.asked_way);
     } else {
       ++m.overflow_lines;
     }
@@ -44,20 +40,21 @@ void Su::port(Machine& m, Cycle now) {
   }
   if (choice_ != kNothing) return;
   const auto records = static_cast<uint32_t>(records_out_.size());
-  if (shown && !listed && writes) {
+  if (shown && !listed) {
     choice_ = kRecord;
     m.memory.ask(port_, overflow_line(m, Area::kRecords, records), true);
-  } else if (listed && writes) {
+  } else if (listed) {
     choice_ = kKeys;
     m.memory.ask(port_, overflow_line(m, Area::kKeys, records / kKeysPerLine), true);
-  } else if (e.lines_full && writes) {
+  } else if (e.lines_full) {
     choice_ = kRun;
-    m.memory.ask(port_, overflow_line(m, forms || !e.area ? Area::kRuns : Area::kKeys, e.lines_number), true);
-  } else if (flight_ != kAnswers && fetches()) {
+    const Area area = e.level == kForm || !e.area ? Area::kRuns : Area::kMerged;
+    m.memory.ask(port_, overflow_line(m, area, e.lines_number), true);
+  } else if (flight_ != kAnswers && fetches(now)) {
     choice_ = kFetch;
     const Way& way = e.ways[static_cast<size_t>(e.asked_way)];
-    const uint64_t line = forms ? overflow_line(m, Area::kKeys, e.first + e.asked)
-                                : overflow_line(m, way.area ? Area::kRuns : Area::kKeys, way.line);
+    const uint64_t line = lists() ? overflow_line(m, Area::kKeys, e.asked)
+                                  : overflow_line(m, way.area ? Area::kRuns : Area::kMerged, way.line);
     m.memory.ask(port_, line);
   } else if (flight_ != kAnswers && ask_) {
     choice_ = kRead;
@@ -79,10 +76,12 @@ bool Su::keys_listed(bool shown) const {
   return !keys_sent_ && (shown ? part == kKeysPerLine - 1 : closes() && part != 0);
 }
 
-// What stands at the output goes to memory: before the output takes the next one in the same cycle.
+// What stands at the output goes to memory or into the pool: before the output takes the next one in the same cycle.
 void Su::divert(Cycle now, const Now& is) {
-  if (is.record != kFromBack || !record_taken_) return;
+  const bool returns = is.returns && is.write;
+  if (!returns && (is.record != kFromBack || !record_taken_)) return;
   diverted_record_ = out_.value;
+  if (returns) answers_.pop(now), owners_.pop_front(), line_used_ = true;
   out_.valid = false;
   out_taken_at_ = now;
 }
@@ -100,18 +99,13 @@ void Su::spill(const Machine& m, const Now& is) {
       record.key = m.trace.key[is.in->beat];
     }
     record.number = static_cast<uint32_t>(records_out_.size());
-    min_ = records_out_.empty() ? record.key : std::min(min_, record.key);
-    max_ = records_out_.empty() ? record.key : std::max(max_, record.key);
     records_out_.push_back(record);
     keys_sent_ = false;
   }
   const Spill before = spill_;
   switch (spill_) {
     case kSpillIdle:
-      if (is.spill_start) spill_ = kWait;
-      break;
-    case kWait:
-      if (is.drained) spill_ = kRelease;
+      if (is.spill_start) spill_ = kRelease;
       break;
     case kRelease:
       if (is.job_done) spill_ = kDrain;
@@ -123,14 +117,16 @@ void Su::spill(const Machine& m, const Now& is) {
       if (written) spill_ = kSend;
       break;
     case kSend:
-      if (is.spill_done) spill_ = kSpillIdle;
+      if (is.sent) spill_ = is.stay ? kClose : is.again ? kRefill : kSpillIdle;
+      break;
+    case kRefill:
+      if (is.returned) spill_ = kSpillIdle;
       break;
   }
   if (spill_ != before) moved_ = true;
-  if (is.spill_start) {
-    records_out_.clear();
-    keys_sent_ = false;
-  }
+  if (is.spill_start) records_out_.clear();
+  if (spill_ == kRefill && external_.form == kLoad) fresh_ = back_ = 0;  // slots from 0 on for what returns
+  if (is.spill_start || is.stay) keys_sent_ = false;
 }
 
 }  // namespace pipegs::timing

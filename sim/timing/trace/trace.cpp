@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "cpp_model/dopu/dopu.hpp"
+#include "cpp_model/dopu/dopu_walks.hpp"
 #include "cpp_model/dopu/nearest/dopu_depth.hpp"
 #include "cpp_model/float/parallel.hpp"
 #include "cpp_model/pu/pu_parts.hpp"
@@ -15,12 +16,13 @@ namespace {
 
 // A window's part of the trace before the parts are joined.
 struct Part {
-  TimingWalk walk;
+  std::vector<TimingWalk> walks;
   TimingWindow window;
   std::vector<TimingChunk> chunks;
   std::vector<uint64_t> mask, key;
   std::vector<uint32_t> slot, pairs, quads_first;  // pairs: of each survivor, how many
   std::vector<uint8_t> boxes, dropped;
+  std::vector<uint16_t> most;
   std::vector<uint16_t> part, quads;
 };
 
@@ -43,27 +45,66 @@ class WindowTrace {
         frame_(input.frame),
         rows_(rows),
         x_(x),
-        y_(y),
-        planes_(dopu_planes(config_, frame_, x, y)) {}
+        y_(y) {}
 
   Part run() {
-    config_.has_watermarks() ? ranked() : slabs();
+    if (config_.has_watermarks()) {
+      layers_.emplace_back();
+      const std::vector<uint64_t> walks = dopu_walks(config_, frame_, packed_, x_, y_);
+      if (walks.front() != kWholeWalk) {
+        begin(kWholeWalk);
+        walk().given_up = true;
+        ranked();
+      }
+      for (const uint64_t one : walks) {
+        begin(one);
+        walk().ends = one == walks.back();
+        ranked();
+      }
+    } else {
+      begin(kWholeWalk);
+      slabs();
+    }
     part_.window = trace_window(input_, rows_, static_cast<uint64_t>(x_), static_cast<uint64_t>(y_), layers_);
     return std::move(part_);
   }
 
  private:
+  TimingWalk& walk() { return part_.walks.back(); }
+  void begin(uint64_t walk) {
+    planes_.clear();
+    const int side = config_.occlusion ? static_cast<int>(walk_square(config_, walk).side) / 8 : 1;
+    for (uint64_t n = 0; n < static_cast<uint64_t>(side); ++n)
+      planes_.push_back(dopu_planes(config_, frame_, x_, y_, walk, {n, n, n, n}));
+    part_.walks.push_back({.walk = walk, .first_chunk = part_.chunks.size()});
+  }
   // Of a node in this bucket; with watermarks, else nothing asks for it.
   bool passes(const Node& node, int parent) const {
     const int step = config_.has_watermarks() ? dopu_depth_edge(config_, frame_, parent) : 0;
-    return dopu_test(config_, frame_, planes_, node, step);
+    return dopu_test(config_, frame_, planes_[0], node, step);
   }
-  int bucket(const Node& node, int parent) const { return dopu_depth(config_, frame_, planes_, node, parent); }
+  // Nothing when it passes for no rectangle at all. Behind the camera a tighter plane may let pass what the walk's does
+  // not.
+  TimingSides sides(const Node& node, int parent) const {
+    if (!config_.occlusion) return passes(node, parent) ? kWholePasses : 0;
+    const int step = dopu_depth_edge(config_, frame_, parent);
+    TimingSides sides = 0;
+    for (size_t n = 0; n < planes_.size(); ++n) {
+      const unsigned passed = dopu_test_planes(config_, frame_, planes_[n], node, step);
+      if ((passed >> kNear & 1) == 0) return 0;
+      for (size_t side = 0; side < 4; ++side) sides |= TimingSides{passed >> (kLeft + side) & 1} << (16 * side + n);
+    }
+    for (size_t side = 0; side < 4; ++side) {
+      if ((sides >> 16 * side & 0xffff) == 0) return 0;
+    }
+    return sides;
+  }
+  int bucket(const Node& node, int parent) const { return dopu_depth(config_, frame_, planes_[0], node, parent); }
 
   // Slab by slab.
   void slabs() {
-    part_.walk.cells.resize((packed_.cells.size() + 63) / 64);
-    part_.walk.groups.resize((packed_.groups.size() + 63) / 64);
+    walk().cells.resize((packed_.cells.size() + 63) / 64);
+    walk().groups.resize((packed_.groups.size() + 63) / 64);
     const int axis = dopu_axis(frame_), camera = dopu_layer_camera(config_, frame_, axis);
     for (int step = 0; step < 2 * config_.grid; ++step) {
       const int slab = dopu_layer_step(config_, camera, step);
@@ -73,10 +114,10 @@ class WindowTrace {
         const auto number = static_cast<uint64_t>(dopu_layer_cell(config_, axis, slab, n));
         const Node& cell = packed_.cells[number];
         if (cell.count == 0 || !passes(cell, 0)) continue;
-        set_bit(part_.walk.cells, number);
+        set_bit(walk().cells, number);
         for (uint64_t g = cell.first; g < cell.first + cell.count; ++g) {
           if (!passes(packed_.groups[g], 0)) continue;
-          set_bit(part_.walk.groups, g);
+          set_bit(walk().groups, g);
           chunks(packed_.groups[g], 0);
         }
       }
@@ -85,21 +126,22 @@ class WindowTrace {
 
   // In the order of the tables, with buckets of depth.
   void ranked() {
-    layers_.emplace_back();
     for (uint64_t number = 0; number < packed_.cells.size(); ++number) {
       const Node& cell = packed_.cells[number];
-      if (cell.count == 0 || !passes(cell, 0)) continue;
+      const TimingSides cell_sides = cell.count == 0 ? 0 : sides(cell, 0);
+      if (cell_sides == 0) continue;
       const int cell_bucket = bucket(cell, 0);
-      part_.walk.cells_ranked.push_back({static_cast<uint32_t>(number),
-                                         static_cast<uint32_t>(part_.walk.groups_ranked.size()),
-                                         static_cast<uint16_t>(cell_bucket)});
+      walk().cells_ranked.push_back({static_cast<uint32_t>(number), static_cast<uint32_t>(walk().groups_ranked.size()),
+                                     static_cast<uint16_t>(cell_bucket), cell_sides});
       for (uint64_t g = cell.first; g < cell.first + cell.count; ++g) {
         const Node& group = packed_.groups[g];
-        if (!passes(group, cell_bucket)) continue;
+        const TimingSides group_sides = sides(group, cell_bucket);
+        if (group_sides == 0) continue;
         const int group_bucket = bucket(group, cell_bucket);
-        part_.walk.groups_ranked.push_back({static_cast<uint32_t>(g), static_cast<uint32_t>(part_.chunks.size()),
-                                            static_cast<uint16_t>(group_bucket)});
-        chunks(group, group_bucket);
+        const int far = dopu_depth_far(config_, frame_, planes_[0], group, cell_bucket);
+        walk().groups_ranked.push_back({static_cast<uint32_t>(g), static_cast<uint32_t>(part_.chunks.size()),
+                                        static_cast<uint16_t>(group_bucket), group_sides, static_cast<uint16_t>(far)});
+        if (!walk().given_up) chunks(group, group_bucket);
       }
     }
   }
@@ -107,23 +149,27 @@ class WindowTrace {
   void chunks(const Node& group, int group_bucket) {
     for (uint64_t i = group.first; i < group.first + group.count; ++i) {
       const Node& node = packed_.chunks[i];
-      if (!passes(node, group_bucket)) continue;
+      const TimingSides own_sides = sides(node, group_bucket);
+      if (own_sides == 0) continue;
       const int own_bucket = config_.has_watermarks() ? bucket(node, group_bucket) : 0;
-      const Chunk chunk = dopu_origin(config_, frame_, node, x_, y_);
-      TimingChunk sent{static_cast<uint32_t>(i), static_cast<uint32_t>(part_.slot.size()), 0,
-                       static_cast<uint16_t>(own_bucket)};
+      Chunk chunk = dopu_origin(config_, frame_, node, x_, y_);
+      chunk.walk = walk().walk;
+      TimingChunk sent{static_cast<uint32_t>(i),          static_cast<uint32_t>(part_.slot.size()),      0,
+                       static_cast<uint16_t>(own_bucket), static_cast<uint32_t>(part_.walks.size() - 1), own_sides};
       for (uint64_t k = 0; k < chunk.count; ++k) {
         bool dropped = false;
-        const std::optional<GoldenConic> found = trace_conic(input_, chunk, chunk.slot + k, &dropped);
+        Closed most;
+        const std::optional<GoldenConic> found = trace_conic(input_, chunk, chunk.slot + k, &dropped, &most);
         if (!found && !dropped) continue;
         sent.survivors |= uint64_t{1} << k;
         part_.slot.push_back(static_cast<uint32_t>(chunk.slot + k));
         part_.dropped.push_back(dropped);
+        if (config_.occlusion) part_.most.push_back(pack_most(most));
         if (dropped) {
           no_pair();
           continue;
         }
-        const std::vector<PuPart> parts = pu_parts(config_, found->conic);
+        const std::vector<PuPart> parts = pu_parts(config_, found->conic, chunk.walk);
         part_.pairs.push_back(static_cast<uint32_t>(parts.size()));
         for (const PuPart& one : parts) {
           const TracePair pair = trace_pair(input_, one.conic, found->payload, one.part);
@@ -136,6 +182,7 @@ class WindowTrace {
         }
       }
       part_.chunks.push_back(sent);
+      ++walk().chunks;
     }
   }
 
@@ -156,7 +203,7 @@ class WindowTrace {
   const Frame& frame_;
   const PuRows& rows_;
   const int x_, y_;
-  const Planes planes_;
+  std::vector<Planes> planes_;  // of the present walk; with Occlusion also with 1, 2 ... regions of each side closed
   Part part_;
   std::vector<std::vector<TraceSplat>> layers_;
 };
@@ -175,11 +222,16 @@ void trace_windows(const GoldenInput& input, unsigned threads, TimingTrace& trac
     const auto base = static_cast<uint32_t>(trace.slot.size()),
                chunks = static_cast<uint32_t>(trace.chunks_sent.size()),
                quads = static_cast<uint32_t>(trace.quads.size());
-    part.walk.first_chunk = chunks;
-    part.walk.chunks = part.chunks.size();
-    for (TimingParent& group : part.walk.groups_ranked) group.first += chunks;
+    const auto walks = static_cast<uint32_t>(trace.walks.size());
+    for (TimingWalk& walk : part.walks) {
+      walk.window = trace.windows.size();
+      walk.first_chunk += chunks;
+      for (TimingParent& group : walk.groups_ranked) group.first += chunks;
+      trace.walks.push_back(std::move(walk));
+    }
     for (TimingChunk chunk : part.chunks) {
       chunk.first += base;
+      chunk.walk += walks;
       trace.chunks_sent.push_back(chunk);
     }
     if (trace.config.parts() > 1) {
@@ -195,10 +247,10 @@ void trace_windows(const GoldenInput& input, unsigned threads, TimingTrace& trac
     trace.key.insert(trace.key.end(), part.key.begin(), part.key.end());
     trace.slot.insert(trace.slot.end(), part.slot.begin(), part.slot.end());
     trace.dropped.insert(trace.dropped.end(), part.dropped.begin(), part.dropped.end());
+    trace.most.insert(trace.most.end(), part.most.begin(), part.most.end());
     trace.boxes.insert(trace.boxes.end(), part.boxes.begin(), part.boxes.end());
     for (const uint32_t first : part.quads_first) trace.quads_first.push_back(quads + first);
     trace.quads.insert(trace.quads.end(), part.quads.begin(), part.quads.end());
-    trace.walks.push_back(std::move(part.walk));
     trace.windows.push_back(std::move(part.window));
     part = {};
   }
@@ -211,12 +263,13 @@ Config timing_config(Config config) {
   const Config standard;
   config.units = standard.units;
   config.pixels_per_row = standard.pixels_per_row;
+  config.pace = standard.pace;
   config.alpha_lines = standard.alpha_lines;
   config.alpha_layers = standard.alpha_layers;
   config.records = standard.records;
   config.fetch_lines = standard.fetch_lines;
   if (!config.has_watermarks()) config.bucket_bits = standard.bucket_bits;
-  config.nearest_nodes = standard.nearest_nodes;
+  if (!config.has_walks()) config.nearest_nodes = standard.nearest_nodes;  // see dopu_load
   config.mark_chunks = standard.mark_chunks;
   config.late = standard.late;
   config.quadratic = standard.quadratic;

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "cpp_model/golden.hpp"
+#include "cpp_model/open.hpp"
 #include "cpp_model/regions.hpp"
 
 namespace pipegs {
@@ -27,12 +28,19 @@ struct TimingNode {
   uint32_t first = 0, count = 0;
 };
 
+// For which rectangles of a walk a node passes: of each side (left, right, top, bottom) 16 bits, bit n with n columns
+// or rows of regions of it closed. Without Occlusion bit 0 alone is asked for.
+using TimingSides = uint64_t;
+inline constexpr TimingSides kWholePasses = 0x0001000100010001;
+
 // A chunk that passes in a walk. In the order of the walk; with order 2 in the order of the table.
 struct TimingChunk {
   uint32_t chunk = 0;      // number of the node
   uint32_t first = 0;      // its first survivor
   uint64_t survivors = 0;  // which of its Gaussians pu_cull keeps
   uint16_t bucket = 0;     // of depth, order 2
+  uint32_t walk = 0;       // of TimingTrace::walks
+  TimingSides sides = kWholePasses;
 };
 
 // A cell or group that passes, with order 2; in the order of the table.
@@ -40,10 +48,17 @@ struct TimingParent {
   uint32_t node = 0;
   uint32_t first = 0;  // the first of its children that pass: of TimingWalk::groups_ranked, or of chunks_sent
   uint16_t bucket = 0;
+  TimingSides sides = kWholePasses;
+  uint16_t far = 0;  // of a group: bucket of its farthest corner, for dopu_load
 };
 
-// The DOPU's walk for a window, or with lists for the frame.
+// A walk of the DOPU, or with lists that of the frame. A window that goes by parts has one more before them, which is
+// given up before a group of it is opened.
 struct TimingWalk {
+  size_t window = 0;  // of TimingTrace::windows
+  uint64_t walk = kWholeWalk;
+  bool given_up = false;
+  bool ends = true;                                       // its window's last
   size_t first_chunk = 0, chunks = 0;                     // of TimingTrace::chunks_sent
   std::vector<uint64_t> cells, groups;                    // bits of the nodes that pass, by node; orders 0 and 1
   std::vector<TimingParent> cells_ranked, groups_ranked;  // order 2
@@ -59,18 +74,29 @@ struct TimingWindow {
   std::vector<uint32_t> quad_done_after;
 };
 
+// 4 bits a side, left lowest.
+inline uint16_t pack_most(const Closed& most) {
+  return static_cast<uint16_t>(most.left | most.right << 4 | most.top << 8 | most.bottom << 12);
+}
+// Whether on some side more is closed.
+inline bool beyond(const Closed& closed, uint16_t most) {
+  return closed.left > (most & 15u) || closed.right > (most >> 4 & 15u) || closed.top > (most >> 8 & 15u) ||
+         closed.bottom > (most >> 12 & 15u);
+}
+
 struct TimingTrace {
   Config config;
   Frame frame;
   Picture picture;
   uint64_t slots = 0;  // of the packed scene
   std::vector<TimingNode> cells, groups, chunks;
-  std::vector<TimingWalk> walks;  // one for each window; one with lists
+  std::vector<TimingWalk> walks;  // of each window in turn; one with lists
   std::vector<TimingChunk> chunks_sent;
   std::vector<TimingWindow> windows;  // row by row from frame.first to frame.last
   // By survivor of a cull.
   std::vector<uint32_t> slot;    // in packed memory
   std::vector<uint32_t> pairs;   // parts, lists: its first pair; one more entry at the end
+  std::vector<uint16_t> most;    // Occlusion: by pack_most, with how many closed regions it is kept
   std::vector<uint8_t> dropped;  // TightCull: by pu_reach; its pair, if it has one, is never asked for
   // By pair.
   std::vector<uint64_t> mask, key;  // regions of the part; sort key

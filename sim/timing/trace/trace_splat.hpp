@@ -29,9 +29,9 @@ struct TracePair {
 void trace_quads(const PuRows& rows, const TraceSplat& splat, std::vector<uint16_t>& quads,
                  std::vector<uint32_t>& first);
 
-// Nothing when the cull drops it; `late`: only pu_reach does.
+// Nothing when the cull drops it; `late`: only pu_reach does. `most`: see pu_cull.
 std::optional<GoldenConic> trace_conic(const GoldenInput& input, const Chunk& chunk, uint64_t slot,
-                                       bool* late = nullptr);
+                                       bool* late = nullptr, Closed* most = nullptr);
 
 // A Gaussian in the window, or its part, that the mean is relative to.
 TracePair trace_pair(const GoldenInput& input, const Conic& conic, const Payload& payload, uint64_t part);

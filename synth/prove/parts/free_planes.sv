@@ -14,8 +14,8 @@ module dopu_planes (
 
   input  logic                                window_valid_i,
   output logic                                window_ready_o,
-  input  logic [pipegs_pkg::WindowW-1:0]      window_x_i,
-  input  logic [pipegs_pkg::WindowW-1:0]      window_y_i,
+  input  logic [pipegs_pkg::PlaceW-1:0]       window_i,
+  input  logic [pipegs_pkg::ClosedBits-1:0]   closed_i,
 
   output logic                                planes_valid_o,
   input  logic                                planes_ready_i,
@@ -43,6 +43,6 @@ module dopu_planes (
   );
 
   logic unused;
-  assign unused = &{1'b0, rotation_i, lens_i, raster_i, window_x_i, window_y_i};
+  assign unused = &{1'b0, rotation_i, lens_i, raster_i, window_i, closed_i};
 
 endmodule

@@ -10,6 +10,7 @@ module pipegs_slot_pool #(
 ) (
   input  logic             clk_i,
   input  logic             rst_ni,
+  input  logic             renew_i,
 
   output logic             slot_valid_o,
   input  logic             slot_ready_i,
@@ -42,6 +43,7 @@ module pipegs_slot_pool #(
     assume ((SlotW+1)'(slot) < (SlotW+1)'(Slots));
     assume (!rst_ni || !valid || !in_use_q[slot]);
     if (rst_ni) assert (!free_i || in_use_q[free_slot_i]);
+    if (rst_ni) assert (!renew_i);  // no user does
   end
   proof_hold #(.DataW(SlotW), .Assumed(1'b1)) u_hold (
     .clk_i, .rst_ni, .valid_i(slot_valid_o), .ready_i(slot_ready_i), .beat_i(slot_o)

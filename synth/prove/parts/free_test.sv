@@ -30,13 +30,14 @@ module dopu_test #(
   output pipegs_pkg::node_t                     result_node_o,
   output logic [TagW-1:0]                       result_tag_o,
   output logic signed [DistanceW-1:0]            result_nearest_o,
+  output logic signed [DistanceW-1:0]            result_farthest_o,
   output logic [pipegs_pkg::ExpW-1:0]           result_exponent_o
 );
 
   (* anyseq *) logic ready, valid, pass;
   (* anyseq *) logic [pipegs_pkg::NodeBits-1:0] node;
   (* anyseq *) logic [TagW-1:0] tag;
-  (* anyseq *) logic [DistanceW-1:0] nearest;
+  (* anyseq *) logic [DistanceW-1:0] nearest, farthest;
   (* anyseq *) logic [pipegs_pkg::ExpW-1:0] exponent;
   logic [7:0] inside_q [4];
   logic [1:0] enters, leaves;  // the levels
@@ -47,6 +48,7 @@ module dopu_test #(
   assign result_node_o     = node;
   assign result_tag_o      = tag;
   assign result_nearest_o  = nearest;
+  assign result_farthest_o = farthest;
   assign result_exponent_o = exponent;
   assign enters            = tag_i[TagW-1 -: 2];
   assign leaves            = tag[TagW-1 -: 2];

@@ -3,15 +3,13 @@
 //
 // Rule    Lines asked for and not used are at most Answers, so the store never refuses an answer; what the memory is
 //         shown stays until it is taken; of those who ask, only the one shown is told that it was taken. Whatever lines
-//         are asked for, none is shown that lies outside the area of its kind in the unit's share. No write is shown
-//         while a read of a record is unanswered.
+//         are asked for, none is shown that lies outside the area of its kind in the unit's share.
 // Assumes The memory answers what was asked for; each who asks holds its request (proof_hold); with a line its owner is
 //         shown, whose queue is filled before (asserted in simulation). The overflow area and the unit are constant.
 // Invariant  A line in flight was asked for and not answered, or it is in the store.
 
 (* hierconn *) logic [FlightW-1:0] \u_answers.held_q ;
 (* hierconn *) logic [FlightW-1:0] \u_owners.held_q ;
-logic [Answers-1:0] records_q, records;  // bit i: answer i from now is that to a read of a record
 (* anyconst *) logic [2*AddressW-1:0] overflow;
 (* anyconst *) logic [pipegs_pkg::UnitW-1:0] unit;
 logic [AddressW-1:0]          at;      // of the line shown, in its area
@@ -39,15 +37,6 @@ proof_hold #(.DataW(1), .Assumed(1'b1)) u_hold_read (
   .clk_i, .rst_ni, .valid_i(read_valid_i), .ready_i(read_ready_o), .beat_i(1'b0)
 );
 
-always_comb begin
-  records = records_q >> rsp_valid_i;
-  if (asked) records[await_q - FlightW'(rsp_valid_i)] = read_ready_o;
-end
-always_ff @(posedge clk_i or negedge rst_ni) begin
-  if (!rst_ni) records_q <= '0;
-  else records_q <= records;
-end
-
 assign at = mem_address_o - overflow_i.first - pipegs_pkg::area_first(overflow_i.lines, unit_i, area_q);
 
 always_comb begin
@@ -57,13 +46,13 @@ always_comb begin
   if (rst_ni) begin
     assert (!mem_valid_o || at < pipegs_pkg::area_lines(overflow_i.lines, area_q));
     assert (!mem_valid_o || (at == AddressW'(line_q) && line_q != '1));
-    assert (choice_q == None || area_q == pipegs_pkg::AreaKeys || area_q == pipegs_pkg::AreaRuns ||
-            area_q == pipegs_pkg::AreaRecords);
+    assert (choice_q == None || area_q == pipegs_pkg::AreaKeys || area_q == pipegs_pkg::AreaMerged ||
+            area_q == pipegs_pkg::AreaRuns || area_q == pipegs_pkg::AreaRecords);
     assert ((choice_q != Record && choice_q != Read) || area_q == pipegs_pkg::AreaRecords);
     assert (choice_q != Keys || area_q == pipegs_pkg::AreaKeys);
-    assert ((choice_q != Run && choice_q != Fetch) || area_q != pipegs_pkg::AreaRecords);
+    assert (choice_q != Run || area_q == pipegs_pkg::AreaMerged || area_q == pipegs_pkg::AreaRuns);
+    assert (choice_q != Fetch || area_q != pipegs_pkg::AreaRecords);
     assert (share_q == overflow_i.first + pipegs_pkg::area_first(overflow_i.lines, unit_i, pipegs_pkg::AreaKeys));
-    assert (!mem_valid_o || !mem_write_o || records_q == '0);
     assert (flight_q <= FlightW'(Answers));
     assert (!rsp_valid_i || unused_queue_ready);
     assert (!asked || unused_owner_ready);
@@ -73,8 +62,6 @@ always_comb begin
             (fetch_valid_i || !fetch_ready_o) && (read_valid_i || !read_ready_o));
     // invariants
     assert (choice_q <= Read);  // of eight codes six are choices
-    assert (records_q >> behind_q == '0 && (behind_q == '0 || records_q[behind_q - 1'b1]) && behind_q <= await_q);
-    assert ((choice_q != Record && choice_q != Keys && choice_q != Run) || behind_q == '0);
     assert ((FlightW+1)'(flight_q) == (FlightW+1)'(await_q) + (FlightW+1)'(\u_answers.held_q ));
     assert ((choice_q != Fetch && choice_q != Read) || flight_q != FlightW'(Answers));
     assert (flight_q == \u_owners.held_q );

@@ -8,6 +8,7 @@
 #include "verif/pu/pu_stage.hpp"
 #include "verif/pu/front/random_fetched.hpp"
 #include "verif/support/frame_ports.hpp"
+#include "verif/support/random_open.hpp"
 
 namespace pipegs {
 namespace {
@@ -63,6 +64,139 @@ TEST(PuCull, TheGapGoesBesideTheSurvivor) {
   EXPECT_GT(beyond, 500u);
 }
 
+// With Occlusion: shows each Gaussian, five cycles after it went in, what is open then, and before and after that
+// something else.
+struct Opens : Endpoint {
+  Bench<Vpu_cull>& bench;
+  const Config& config;
+  std::deque<std::optional<Open>> coming{5};
+  std::vector<Open> opens;  // of each input
+  size_t taken = 0;
+  Opens(Bench<Vpu_cull>& b, const Config& c) : bench(b), config(c) { b.add(*this); }
+  void drive() override {
+    const std::optional<Open> now = coming.front();
+    coming.pop_front();
+    write_record(config, bench.dut.open_i,
+                 now ? *now : random_open(config, bench.rng() % 4, bench.rng() % 4, bench.rng));
+  }
+  void observe() override {
+    const bool takes = bench.dut.fetched_valid_i && bench.dut.fetched_ready_o;
+    coming.push_back(takes ? std::optional<Open>(opens.at(taken++)) : std::nullopt);
+  }
+};
+
+std::vector<Open> random_opens(const Config& config, const std::vector<Fetched>& inputs, std::mt19937_64& rng) {
+  const uint64_t windows = uint64_t{1} << config.window_w();
+  std::vector<Open> opens;
+  for (const Fetched& in : inputs) {
+    Open open = random_open(config, (in.window_x + (rng() % 8 == 0)) % windows,
+                            (in.window_y + (rng() % 8 == 0)) % windows, rng);
+    open.known = rng() % 8 != 0;
+    opens.push_back(open);
+  }
+  return opens;
+}
+
+Closed closed_at(const Config& config, const Open& open, const Fetched& in) {
+  return closed_at(config, open, in.window_x, in.window_y, in.walk);
+}
+
+TEST(PuCull, DropsWhatTouchesNothingOpen) {
+  const Config config = test_config();
+  if (!config.occlusion) GTEST_SKIP() << "without Occlusion nothing is known to be closed";
+  std::mt19937_64 rng(test_seed());
+  PuRandom random{config, rng};
+  size_t beside = 0, kept = 0;
+  for (int i = 0; i < 10; ++i) {
+    const StageRun<Stage> run = make_run()(random, 600);
+    Bench<Vpu_cull> bench;
+    write_frame(config, bench.dut, run.frame);
+    auto source = Stage::source(bench, config, Pace::kAlways);
+    auto sink = Stage::sink(bench, config, Pace::kAlways);
+    Opens opens(bench, config);
+    bench.reset();
+    opens.opens = random_opens(config, run.inputs, rng);
+    opens.coming.assign(5, std::nullopt);
+    std::vector<Visible> expected;
+    for (size_t k = 0; k < run.inputs.size(); ++k) {
+      const Fetched& in = run.inputs[k];
+      const std::optional<Visible> v =
+          pu_cull(config, run.frame, in, nullptr, nullptr, closed_at(config, opens.opens[k], in));
+      beside += !v && pu_cull(config, run.frame, in);
+      kept += v.has_value();
+      if (v) expected.push_back(*v);
+      source.push(in);
+    }
+    bench.run_until([&] { return source.empty(); });
+    for (int k = 0; k < 20; ++k) bench.step();
+    ASSERT_EQ(sink.size(), expected.size());
+    for (size_t k = 0; k < expected.size(); ++k)
+      ASSERT_EQ(first_difference(config, expected[k], sink.at(k)), "") << "beat " << k << ", seed " << bench.seed;
+  }
+  EXPECT_GT(beside, 200u);
+  EXPECT_GT(kept, 200u);
+}
+
+// What stays closed while the pipeline stands counts as before.
+TEST(PuCull, DropsTheSameAtEveryPace) {
+  const Config config = test_config();
+  if (!config.occlusion) GTEST_SKIP();
+  std::mt19937_64 rng(test_seed());
+  PuRandom random{config, rng};
+  size_t beside = 0;
+  for (int i = 0; i < 8 * static_cast<int>(std::size(kPaces)); ++i) {
+    const Pace pace = kPaces[static_cast<size_t>(i) % std::size(kPaces)];
+    const StageRun<Stage> run = make_run()(random, 600);
+    const Open open = random_open(config, run.inputs[0].window_x, run.inputs[0].window_y, rng);
+    Bench<Vpu_cull> bench;
+    write_frame(config, bench.dut, run.frame);
+    write_record(config, bench.dut.open_i, open);
+    auto source = Stage::source(bench, config, pace);
+    auto sink = Stage::sink(bench, config, pace == Pace::kAlways ? Pace::kQuarter : pace);
+    bench.reset();
+    std::vector<Visible> expected;
+    for (const Fetched& in : run.inputs) {
+      const std::optional<Visible> v = pu_cull(config, run.frame, in, nullptr, nullptr, closed_at(config, open, in));
+      beside += !v && pu_cull(config, run.frame, in);
+      if (v) expected.push_back(*v);
+      source.push(in);
+    }
+    bench.run_until([&] { return source.empty() && sink.size() >= expected.size(); }, 100000);
+    for (int k = 0; k < 20; ++k) bench.step();
+    ASSERT_EQ(sink.size(), expected.size());
+    for (size_t k = 0; k < expected.size(); ++k)
+      ASSERT_EQ(first_difference(config, expected[k], sink.at(k)), "") << "beat " << k << ", seed " << bench.seed;
+  }
+  EXPECT_GT(beside, 5u);
+}
+
+// Never more with more closed; and `most` says of each side how much it is.
+TEST(PuCull, ModelKeepsLessTheMoreIsClosed) {
+  const Config config = test_config();
+  std::mt19937_64 rng(test_seed());
+  PuRandom random{config, rng};
+  int kept = 0, dropped = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Frame frame = random.frame();
+    for (int k = 0; k < 20; ++k) {
+      const Fetched in = random_fetched(random, frame);
+      Closed most;
+      const bool whole = pu_cull(config, frame, in, nullptr, nullptr, {}, &most).has_value();
+      const Closed closed = random_closed(config, in.walk, rng);
+      const bool keeps = pu_cull(config, frame, in, nullptr, nullptr, closed).has_value();
+      if (!whole) {
+        ASSERT_FALSE(keeps);
+        continue;
+      }
+      ASSERT_EQ(keeps, closed.left <= most.left && closed.right <= most.right && closed.top <= most.top &&
+                           closed.bottom <= most.bottom);
+      kept += keeps, dropped += !keeps;
+    }
+  }
+  EXPECT_GT(kept, 100);
+  EXPECT_GT(dropped, 100);
+}
+
 TEST(PuCull, TakesAGaussianEveryCycle) {
   const Config config = test_config();
   std::mt19937_64 rng(test_seed());
@@ -79,7 +213,8 @@ TEST(PuCull, TakesAGaussianEveryCycle) {
   EXPECT_EQ(bench.cycle - start, run.inputs.size());
 }
 
-// The largest alpha of the window's pixels must be below 1/AlphaCut for all that is dropped in front of the near plane.
+// The largest alpha of the window's pixels, of those that are open, must be below 1/AlphaCut for all that is dropped in
+// front of the near plane.
 TEST(PuCull, ModelDropsNothingThatReachesAPixelOfTheWindow) {
   const Config config = test_config();
   std::mt19937_64 rng(test_seed());
@@ -104,19 +239,25 @@ TEST(PuCull, ModelDropsNothingThatReachesAPixelOfTheWindow) {
       const ExactCovariance e = exact_covariance(random, frame, o);
       // Conservative in favour of "reaches": the largest power over the window seen along each axis alone.
       const auto real = [](auto value, int down) { return std::ldexp(static_cast<double>(value), -down); };
-      const auto side = [&](int64_t x, uint64_t focal, int64_t center, uint64_t window, uint64_t last,
-                            double variance) {
-        const double most = side_pixels(config, window, last) - 1;
+      const WalkSquare square = walk_square(config, in.walk);
+      const Closed closed = config.has_lists() || random.chance(2) ? Closed{} : random_closed(config, in.walk, rng);
+      const auto side = [&](int64_t x, uint64_t focal, int64_t center, uint64_t window, int64_t walk_beside,
+                            uint64_t low_closed, uint64_t high_closed, uint64_t last, double variance) {
+        const auto beside = walk_beside + 8 * static_cast<int64_t>(low_closed);
+        const double most =
+            side_pixels(config, in.walk, window, last) - 1 - 8 * static_cast<double>(low_closed + high_closed);
         const double m = real(focal, config.focal_f()) * static_cast<double>(x) / static_cast<double>(v.view_z) +
-                         real(center, config.center_f()) - static_cast<double>(window) * config.window;
+                         real(center, config.center_f()) - static_cast<double>(window) * config.window -
+                         static_cast<double>(beside);
         const double off = m < 0 ? -m : m > most ? m - most : 0;
         return off * off / variance;
       };
-      const double far = std::max(
-          side(v.view_x, frame.lens.focal_x, frame.lens.center_x, in.window_x, frame.raster.windows.last_x, e.a),
-          side(v.view_y, frame.lens.focal_y, frame.lens.center_y, in.window_y, frame.raster.windows.last_y, e.c));
+      const double far = std::max(side(v.view_x, frame.lens.focal_x, frame.lens.center_x, in.window_x, square.x,
+                                       closed.left, closed.right, frame.raster.windows.last_x, e.a),
+                                  side(v.view_y, frame.lens.focal_y, frame.lens.center_y, in.window_y, square.y,
+                                       closed.top, closed.bottom, frame.raster.windows.last_y, e.c));
       const bool reaches = far <= 2 * power_max;
-      const bool keeps = pu_cull(config, frame, in).has_value();
+      const bool keeps = pu_cull(config, frame, in, nullptr, nullptr, closed).has_value();
       if (reaches) { ASSERT_TRUE(keeps) << to_text(config, in) << "\n" << to_text(config, frame); }
       dropped += !keeps;
       kept += keeps;

@@ -40,7 +40,7 @@ struct World {
 template <class Rng>
 Chunk random_chunk(const Config& config, Rng& rng) {
   Chunk chunk = random_record<Chunk>(config, rng);
-  chunk.kind = rng() % 5 == 0 ? 1 + rng() % 2 : kData;
+  chunk.kind = rng() % 5 == 0 ? 1 + rng() % 3 : kData;
   chunk.count = 1 + rng() % static_cast<uint64_t>(config.chunk);
   chunk.slot = rng() % static_cast<uint64_t>((kSlots - config.chunk) / 2) * 2;
   return chunk;

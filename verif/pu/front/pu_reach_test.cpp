@@ -99,7 +99,7 @@ bool exact_drop(const PuRandom& random, const Frame& frame, const Visible& v, co
 }
 
 bool has_region(const Config& config, const Frame& frame, const Visible& visible, ProjectCounts& counts) {
-  for (const PuPart& part : pu_parts(config, golden_conic(config, frame, visible, &counts).conic)) {
+  for (const PuPart& part : pu_parts(config, golden_conic(config, frame, visible, &counts).conic, visible.walk)) {
     if (pu_intersect(config, frame, pu_coeff(config, frame, part.conic)).mask != 0) return true;
   }
   return false;

@@ -10,9 +10,10 @@
 
 namespace pipegs {
 
-// Pixels that a Gaussian is tested against along one axis: of its window; with lists, of all windows of the frame.
-inline double side_pixels(const Config& config, uint64_t window, uint64_t last) {
-  return static_cast<double>((config.has_lists() ? last - window + 1 : 1) * static_cast<uint64_t>(config.window));
+// Pixels that a Gaussian is tested against along one axis: of its walk; with lists, of all windows of the frame.
+inline double side_pixels(const Config& config, uint64_t walk, uint64_t window, uint64_t last) {
+  if (!config.has_lists()) return static_cast<double>(walk_square(config, walk).side);
+  return static_cast<double>((last - window + 1) * static_cast<uint64_t>(config.window));
 }
 
 // A Gaussian near the edge of its window: the mean lies about its own reach beyond a side, and the chunk anywhere.
@@ -22,6 +23,7 @@ inline Fetched random_fetched(PuRandom& random, const Frame& frame) {
   Fetched in;
   in.window_x = config.has_lists() ? frame.raster.windows.first_x : v.window_x;
   in.window_y = config.has_lists() ? frame.raster.windows.first_y : v.window_y;
+  in.walk = v.walk;
   in.view_exp = v.view_exp;
   const int lead = config.view_w - config.pos_w - 3;  // view_exp >= offset_exp - lead
   const int64_t highest = std::min<int64_t>(63, static_cast<int64_t>(v.view_exp) + lead);
@@ -44,18 +46,20 @@ inline Fetched random_fetched(PuRandom& random, const Frame& frame) {
   const double z = static_cast<double>(v.view_z),
                size = scale_value(config, std::max({in.scale_0, in.scale_1, in.scale_2}));
   const double s = std::ldexp(size, -static_cast<int>(in.view_exp));
-  const auto aim = [&](uint64_t focal, uint64_t reach, int64_t center, uint64_t window, uint64_t last) {
-    const double pixels = side_pixels(config, window, last), reach_px = real(reach, config.focal_f()) * s / z + 2,
-                 pixel = real(center, config.center_f());
+  const auto aim = [&](uint64_t focal, uint64_t reach, int64_t center, uint64_t window, int64_t beside, uint64_t last) {
+    const double pixels = side_pixels(config, in.walk, window, last),
+                 reach_px = real(reach, config.focal_f()) * s / z + 2, pixel = real(center, config.center_f());
     const double side =
         random.chance(2) ? -reach_px * random.uniform(0, 1.2) : pixels + reach_px * random.uniform(0, 1.2);
     const double at = random.chance(2) ? random.uniform(0, pixels) : side;
-    return (static_cast<double>(window) * config.window + at - pixel) / real(focal, config.focal_f()) * z;
+    return (static_cast<double>(window) * config.window + static_cast<double>(beside) + at - pixel) /
+           real(focal, config.focal_f()) * z;
   };
-  const double x =
-      aim(frame.lens.focal_x, frame.lens.reach_x, frame.lens.center_x, in.window_x, frame.raster.windows.last_x);
-  const double y =
-      aim(frame.lens.focal_y, frame.lens.reach_y, frame.lens.center_y, in.window_y, frame.raster.windows.last_y);
+  const WalkSquare square = walk_square(config, in.walk);
+  const double x = aim(frame.lens.focal_x, frame.lens.reach_x, frame.lens.center_x, in.window_x, square.x,
+                       frame.raster.windows.last_x);
+  const double y = aim(frame.lens.focal_y, frame.lens.reach_y, frame.lens.center_y, in.window_y, square.y,
+                       frame.raster.windows.last_y);
   const double unit = std::ldexp(1.0, static_cast<int>(in.offset_exp) - static_cast<int>(in.view_exp) - config.rot_f());
   const auto row = [&](int64_t a, int64_t b, int64_t c) {
     return unit * (static_cast<double>(a) * static_cast<double>(in.offset_x) +

@@ -77,7 +77,7 @@ struct MergeBench : Bench<Vsu_merge>, Endpoint {
     std::sort(expected.begin(), expected.end(), [](const Sorted& a, const Sorted& b) {
       return a.depth != b.depth ? a.depth < b.depth : a.index < b.index;
     });
-    if (kConfig.has_watermarks() && kind == kLayerEnd) return expected;  // a watermark does not go out
+    if (kConfig.has_watermarks() && kind != kWindowEnd) return expected;  // a watermark, an end of a part stay
     expected.push_back({});
     expected.back().kind = kind;
     return expected;
@@ -99,7 +99,8 @@ TEST(SuMerge, MergesByDepthThenIndexAtEveryPace) {
         std::vector<size_t> counts;
         for (int k = 0; k < kConfig.units; ++k) counts.push_back(bench.rng() % 3 == 0 ? 0 : bench.rng() % 20);
         const uint64_t depths = bench.rng() % 2 ? 1 + bench.rng() % 4 : uint64_t{1} << kConfig.depth_w;
-        for (const Sorted& s : bench.layer(counts, n % 3 == 2 ? kWindowEnd : kLayerEnd, depths)) expected.push_back(s);
+        const uint64_t kind = n % 3 == 2 ? kWindowEnd : n % 3 == 1 && kConfig.has_watermarks() ? kPartEnd : kLayerEnd;
+        for (const Sorted& s : bench.layer(counts, kind, depths)) expected.push_back(s);
       }
       bench.run_until([&] { return bench.out.size() == expected.size(); });
       for (size_t i = 0; i < bench.out.size(); ++i) {

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Tables of docs/cycles/cycles.md."""
 from data import data
-from formats import fixed, group, listing, mean, millions, percent, table, thousands, times
+from formats import change, fixed, group, listing, mean, percent, table, thousands, times
 from measurements import CHARTED, FOUR, FRAMES, STEPPED, STEPS  # noqa: F401  (the page uses FRAMES)
 from pages.frames import VIEWS, bounds, cycles, floor, largest_bound, megabytes, of, over, roofline, total_bytes, work
 
-MEASURED = ["model/*", "work/*", "steps/*", "stores/*", "large/*", "walks/*", "scale/*", "truth/*", "rtl/*"]
+MEASURED = ["model/*", "work/*", "steps/*", "stores/*", "walks/*", "truth/*", "rtl/*"]
 
 
 def views():
@@ -49,21 +49,26 @@ def worst(scene):
     return walk(scene, "cycles", "max") / walk(scene, "cycles", "median")
 
 
+def step(scene, name):
+    """Cycles with all steps up to this one."""
+    return data.steps[f"{scene}_{name}"].designs[0].cycles
+
+
 def steps():
     """Cycles, megabytes and multiple of the floor, step by step."""
 
     def cell(scene, count, size):
         return f"{group(count)}, {fixed(size, 1)} MB ({fixed(count / floor(scene), 2)})"
 
-    def step(scene, name):
-        row = data.steps[f"{scene}_{name}"].designs[0]
-        return cell(scene, row.cycles, total_bytes(row.bytes) / 1e6)
+    def sums(scene, name):
+        size = total_bytes(data.steps[f"{scene}_{name}"].designs[0].bytes)
+        return cell(scene, step(scene, name), size / 1e6)
 
     def end(name):
         return [cell(scene, cycles(scene, name), megabytes(scene, name)) for scene in STEPPED]
 
     rows = [["`exact`", *end("exact")]]
-    rows += [[what, *[step(scene, name) for scene in STEPPED]] for name, (what, _) in STEPS.items()]
+    rows += [[what, *[sums(scene, name) for scene in STEPPED]] for name, (what, _) in STEPS.items()]
     rows += [["pixels of 32 bits, 1408 records, 1024 nodes, a watermark every 7 chunks: `fast`", *end("fast")]]
     return table(["each step adds to the one before", *[VIEWS[scene].split(" (")[0] for scene in STEPPED]], rows)
 
@@ -127,47 +132,7 @@ def states():
     )
 
 
-def large(name):
-    """A scene of 3.0 M Gaussians: cycles, megabytes, and those of records that found no room in the SUs."""
-    row = data.large[name].designs[0]
-    sort = total_bytes({"sort": row.bytes.sort_overflow}) / 1e6
-    return f"{group(row.cycles)} cycles and {fixed(total_bytes(row.bytes) / 1e6, 0)} MB, {fixed(sort, 0)} of them"
-
-
 def truth():
     """Our float64 pictures against those of an independent renderer."""
     columns = [("pixels", "pixels"), ("pixels that differ", "differ"), ("largest difference, 8-bit codes", "codes")]
     return listing("view", [(f"{scene} 0", data.truth[scene]) for scene in data.truth], *columns)
-
-
-def scale():
-    """Computer and machine by the number of Gaussians and pixels."""
-    rows = []
-    for name in ("1m", "4m", "8m", "4k"):
-        run, model = data.scale[f"sim_{name}"], data.scale[f"model_{name}"]
-        seconds, row = run.host.cpu_seconds, model.designs[0]
-        rest = seconds["all"] - seconds.pack - seconds.golden - seconds.truth
-        rows.append(
-            [
-                millions(run.scene.gaussians, 0),
-                millions(run.camera.width * run.camera.height),
-                *[fixed(one, 1) for one in (rest, seconds.pack, seconds.golden, seconds.truth)],
-                fixed(run.host.peak_memory_bytes / 1e9, 2),
-                group(row.cycles),
-                fixed(total_bytes(row.bytes) / 1e6, 0),
-                fixed(model.host.cpu_seconds, 1),
-            ]
-        )
-    head = ["Gaussians", "pixels", "reading, writing", "packing", "golden model", "three truths", "memory, GB"]
-    return table([*head, "cycles", "MB", "`pipegs model`, s"], rows)
-
-
-def each(figure):
-    """Of a Gaussian, from the smallest scene to the largest: what pixels take is in both and falls out."""
-    few, many = data.scale.sim_1m, data.scale.sim_8m
-    return (figure(many) - figure(few)) / (many.scene.gaussians - few.scene.gaussians)
-
-
-def most_of_load(what):
-    """The largest of all spreads of depth in a window that holds too much."""
-    return fixed(max(value for line in data.prints.all.load for key, value in line.items() if key.startswith(what)), 1)

@@ -32,7 +32,10 @@ Figures measured() {
 class Points : public testing::Test {
  protected:
   Points() { scene_.name = "caf\xe9"; }  // Latin-1, as a file name may be
-  MeasurementStore store() const { return {scratch_ / "points", scene_, camera_, options_}; }
+  MeasurementStore store() const { return store(options_); }
+  MeasurementStore store(const SimulateOptions& options) const {
+    return {scratch_ / "points", scene_, camera_, options};
+  }
   // The point of the default configuration with another text in place of `from`.
   bool is_read_with(const std::string& from, const std::string& to) {
     store().save(config_, json_of(measured()));
@@ -60,6 +63,16 @@ TEST_F(Points, ComeBackAsTheyWereMeasured) {
   EXPECT_EQ(json_of(*read), json_of(measured()));
   EXPECT_EQ(read->bytes, ~uint64_t{0});
   EXPECT_TRUE(is_read_with("123456", "123457"));
+}
+
+// Cycles and bytes depend on how many Gaussians at one depth a window may have to go whole.
+TEST_F(Points, OfAnotherWalkMostAreNotTaken) {
+  store().save(config_, json_of(measured()));
+  SimulateOptions other;
+  ++other.walk_most;
+  EXPECT_FALSE(store(other).load(config_, figures_of).has_value());
+  EXPECT_NE(store(other).path(config_), store().path(config_));
+  EXPECT_TRUE(store().load(config_, figures_of).has_value());
 }
 
 TEST_F(Points, HoldWhatWasMeasuredAndNoMore) {

@@ -44,6 +44,10 @@ TEST(Neighbours, LeaveAloneWhatAMachineDoesNotHave) {
   };
   EXPECT_TRUE(moves(exact(), "mark_chunks"));
   EXPECT_FALSE(moves(find_design_point("dop").config, "mark_chunks")) << "there are no watermarks";
+  EXPECT_FALSE(moves(find_design_point("dop").config, "occlusion")) << "its chunks come in no order";
+  EXPECT_TRUE(moves(find_design_point("fast").config, "occlusion"));
+  EXPECT_TRUE(moves(find_design_point("fast").config, "pace"));
+  EXPECT_FALSE(moves(find_design_point("gscore").config, "pace")) << "the oriented box is made in eight cycles";
   EXPECT_TRUE(moves(find_design_point("fast").config, "window"));
   EXPECT_FALSE(moves(exact(), "window")) << "128 pixels need quads";
   Config narrow = exact();
@@ -99,6 +103,12 @@ TEST(Shapes, MeasuresEachOnceAndNoMoreThanAsked) {
     EXPECT_EQ(found.shapes.front().config, exact());
   }
   EXPECT_GT(forty().size(), neighbours(exact()).size() + 1) << "some together";
+}
+
+TEST(Shapes, LeavesOutMachinesWhoseAreaIsNotKnown) {
+  const std::vector<Neighbour> all = neighbours(exact());
+  EXPECT_TRUE(std::any_of(all.begin(), all.end(), [](const Neighbour& one) { return one.config.pace == 4; }));
+  for (const Point& shape : forty()) EXPECT_TRUE(Frames::silicon().area().knows(shape.config)) << shape.config.pace;
 }
 
 // Who is on a front is tradeoff_test's to say.

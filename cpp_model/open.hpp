@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// open: the rectangle around the regions of a window that are still open, and what of a walk lies beside it.
+//
+// Paper   Sec. 4.2.3 stops work in regions that are opaque; here it is not begun either.        RTL  rtl/pipegs_open.sv
+// Idea    Chunks come nearest first, so what is not blended yet lies behind all that closed a region. What touches no
+//         open region changes no pixel, and what does not touch a rectangle around them touches none. The rectangle is
+//         told by how many columns and rows of regions of a walk, from each side, hold none; 0 from all sides while
+//         nothing is known: of another window, and where no region is open at all.
+#pragma once
+
+#include <algorithm>
+
+#include "cpp_model/dopu/walk.hpp"
+#include "cpp_model/records.hpp"
+#include "cpp_model/regions.hpp"
+
+namespace pipegs {
+
+// Of a walk, with these regions of its window closed.
+inline Closed closed_of(const Config& c, const RegionSet& closed, uint64_t walk) {
+  const WalkSquare square = walk_square(c, walk);
+  const int x0 = static_cast<int>(square.x / 8), y0 = static_cast<int>(square.y / 8),
+            side = static_cast<int>(square.side / 8);
+  int left = side, right = side, top = side, bottom = side;
+  for (int y = 0; y < side; ++y) {
+    for (int x = 0; x < side; ++x) {
+      if (closed.has(c, region_at(c, x0 + x, y0 + y))) continue;
+      left = std::min(left, x), right = std::min(right, side - 1 - x);
+      top = std::min(top, y), bottom = std::min(bottom, side - 1 - y);
+    }
+  }
+  if (left == side) return {};
+  const auto count = [](int n) { return static_cast<uint64_t>(n); };
+  return {count(left), count(right), count(top), count(bottom)};
+}
+
+// What is said of a part, to be read or written.
+template <class O>
+auto& closed_part(O& open, uint64_t part) {
+  decltype(&open.part_0) const parts[] = {&open.part_0, &open.part_1, &open.part_2, &open.part_3};
+  return *parts[part];
+}
+
+// What pipegs_open makes of a window that all RUs are in.
+inline Open open_of(const Config& c, const RegionSet& closed, uint64_t window_x, uint64_t window_y) {
+  Open open{.known = 1, .window_x = window_x, .window_y = window_y, .whole = closed_of(c, closed, kWholeWalk)};
+  if (!c.has_walks()) return open;
+  for (uint64_t part = 0; part < static_cast<uint64_t>(c.parts()); ++part)
+    closed_part(open, part) = closed_of(c, closed, walk_of(c, part));
+  return open;
+}
+
+// pipegs_closed: of a walk of a window.
+inline Closed closed_at(const Config& c, const Open& open, uint64_t window_x, uint64_t window_y, uint64_t walk) {
+  if (open.known == 0 || open.window_x != window_x || open.window_y != window_y) return {};
+  return walk == kWholeWalk ? open.whole : closed_part(open, walk_part(c, walk));
+}
+
+}  // namespace pipegs
