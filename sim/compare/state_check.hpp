@@ -47,7 +47,7 @@ class StateCheck final : public RtlTaps {
   void finish(const RtlResult& counters);
 
  private:
-  static constexpr size_t kKinds = 4, kUnits = 4, kStates = 4;  // units of a kind at most
+  static constexpr size_t kKinds = 4, kUnits = kMostUnits, kStates = 4;  // units of a kind at most
   static constexpr uint64_t kKept = 8;                          // cycles that are looked back at
   static constexpr int64_t kNone = -1;                          // before the first one
   struct Cycle {
