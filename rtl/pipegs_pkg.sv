@@ -8,8 +8,8 @@
 
 package pipegs_pkg;
 
-  localparam int unsigned Units          = 4;  // PUs, SUs and RUs (1, 2 or 4), Table 2
-  localparam int unsigned Fronts         = 1;  // PUs that fetch and cull, at most all; every PU projects (1, 2 or 4)
+  localparam int unsigned Units          = 4;  // PUs, SUs and RUs (1, 2, 4 or 8), Table 2
+  localparam int unsigned Fronts         = 1;  // PUs that fetch and cull, at most all; every PU projects (1, 2, 4 or 8)
   localparam int unsigned PixelsPerRow   = 2;  // pixels that one Row Unit computes in a cycle
   // side of a window (16, 32, 64 or 128); regions are 8x8 pixels, a window of 128 has four parts of 64
   localparam int unsigned Window         = 128;
@@ -122,6 +122,8 @@ package pipegs_pkg;
   // Gaussians from where a payload is known to where pu_intersect takes them: the places before, those in pu_coeff,
   // queue
   localparam int unsigned PayloadDepth   = 20;
+  // the table of cells has the cube of it as entries: with watermarks a cell with many groups has several
+  localparam int unsigned TableSide      = 8;
   localparam int unsigned PartsX         = 2;  // parts along a window's side
   // parts of a window, numbered row by row: what masks, coefficients and powers are made for
   localparam int unsigned Parts          = 4;
@@ -1244,7 +1246,7 @@ package pipegs_pkg;
     48'h0084_00030e52,  // CONFIG_POINT
     48'h0080_10048004,  // CONFIG_COUNTS
     48'h000c_fa43bfdf,  // CONFIG_HASH
-    48'h0008_983831c8,  // LAYOUT
+    48'h0008_33b2db3b,  // LAYOUT
     48'h0004_00020001,  // VERSION
     48'h0000_47504950  // ID
   };
@@ -1327,41 +1329,41 @@ package pipegs_pkg;
   // Performance counters: the byte offset of each that this machine has (16 bits), in their order; those of the
   // largest machine lie from begin to end.
   localparam logic [ControlAddressW-1:0] ControlCountersBegin = 12'h600;
-  localparam logic [ControlAddressW-1:0] ControlCountersEnd = 12'h7c0;
+  localparam logic [ControlAddressW-1:0] ControlCountersEnd = 12'h940;
   localparam int unsigned ControlCounters = 55;
   localparam logic [ControlCounters*16-1:0] ControlCounterTable = {
-    16'h07b8,  // ru3_memory
-    16'h07b0,  // ru3_blocked
-    16'h07a8,  // ru3_starved
-    16'h07a0,  // ru3_busy
-    16'h0798,  // ru2_memory
-    16'h0790,  // ru2_blocked
-    16'h0788,  // ru2_starved
-    16'h0780,  // ru2_busy
-    16'h0778,  // ru1_memory
-    16'h0770,  // ru1_blocked
-    16'h0768,  // ru1_starved
-    16'h0760,  // ru1_busy
-    16'h0758,  // ru0_memory
-    16'h0750,  // ru0_blocked
-    16'h0748,  // ru0_starved
-    16'h0740,  // ru0_busy
-    16'h0738,  // su3_memory
-    16'h0730,  // su3_blocked
-    16'h0728,  // su3_starved
-    16'h0720,  // su3_busy
-    16'h0718,  // su2_memory
-    16'h0710,  // su2_blocked
-    16'h0708,  // su2_starved
-    16'h0700,  // su2_busy
-    16'h06f8,  // su1_memory
-    16'h06f0,  // su1_blocked
-    16'h06e8,  // su1_starved
-    16'h06e0,  // su1_busy
-    16'h06d8,  // su0_memory
-    16'h06d0,  // su0_blocked
-    16'h06c8,  // su0_starved
-    16'h06c0,  // su0_busy
+    16'h08b8,  // ru3_memory
+    16'h08b0,  // ru3_blocked
+    16'h08a8,  // ru3_starved
+    16'h08a0,  // ru3_busy
+    16'h0898,  // ru2_memory
+    16'h0890,  // ru2_blocked
+    16'h0888,  // ru2_starved
+    16'h0880,  // ru2_busy
+    16'h0878,  // ru1_memory
+    16'h0870,  // ru1_blocked
+    16'h0868,  // ru1_starved
+    16'h0860,  // ru1_busy
+    16'h0858,  // ru0_memory
+    16'h0850,  // ru0_blocked
+    16'h0848,  // ru0_starved
+    16'h0840,  // ru0_busy
+    16'h07b8,  // su3_memory
+    16'h07b0,  // su3_blocked
+    16'h07a8,  // su3_starved
+    16'h07a0,  // su3_busy
+    16'h0798,  // su2_memory
+    16'h0790,  // su2_blocked
+    16'h0788,  // su2_starved
+    16'h0780,  // su2_busy
+    16'h0778,  // su1_memory
+    16'h0770,  // su1_blocked
+    16'h0768,  // su1_starved
+    16'h0760,  // su1_busy
+    16'h0758,  // su0_memory
+    16'h0750,  // su0_blocked
+    16'h0748,  // su0_starved
+    16'h0740,  // su0_busy
     16'h06b8,  // pu3_memory
     16'h06b0,  // pu3_blocked
     16'h06a8,  // pu3_starved

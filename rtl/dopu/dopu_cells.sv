@@ -11,7 +11,7 @@
 // Model   cpp_model/dopu/dopu.hpp (the outer loops)
 
 module dopu_cells #(
-  localparam int unsigned GridW = pipegs_pkg::Grid > 1 ? $clog2(pipegs_pkg::Grid) : 1
+  localparam int unsigned GridW = pipegs_pkg::TableSide > 1 ? $clog2(pipegs_pkg::TableSide) : 1
 ) (
   input  logic                            clk_i,
   input  logic                            rst_ni,
@@ -51,12 +51,12 @@ module dopu_cells #(
   localparam int unsigned NodeBits = pipegs_pkg::NodeBits;
   localparam int unsigned BurstW = pipegs_pkg::BurstW;
   localparam int unsigned CellW = 3 * GridW;
-  localparam int unsigned Cells = pipegs_pkg::Grid * pipegs_pkg::Grid * pipegs_pkg::Grid;
+  localparam int unsigned Cells = pipegs_pkg::TableSide * pipegs_pkg::TableSide * pipegs_pkg::TableSide;
   localparam int unsigned TableLines = (Cells + 1) / 2;
   localparam int unsigned TableW = CellW > 1 ? CellW - 1 : 1;
   localparam int unsigned LinesW = $clog2(TableLines + 1);
-  localparam logic [2*GridW-1:0] LastNumber = (2*GridW)'(pipegs_pkg::Grid * pipegs_pkg::Grid - 1);
-  localparam logic [GridW-1:0] LastLayer = GridW'(pipegs_pkg::Grid - 1);
+  localparam logic [2*GridW-1:0] LastNumber = (2*GridW)'(pipegs_pkg::TableSide * pipegs_pkg::TableSide - 1);
+  localparam logic [GridW-1:0] LastLayer = GridW'(pipegs_pkg::TableSide - 1);
 
   // --- load, once per frame -----------------------------------------------------------------------------------------
   logic [LinesW-1:0]               to_ask_q, to_come_q;

@@ -11,7 +11,7 @@
 // Model   cpp_model/dopu/dopu_layer.hpp
 
 module dopu_layer #(
-  localparam int unsigned GridW = pipegs_pkg::Grid > 1 ? $clog2(pipegs_pkg::Grid) : 1
+  localparam int unsigned GridW = pipegs_pkg::TableSide > 1 ? $clog2(pipegs_pkg::TableSide) : 1
 ) (
   input  logic                                clk_i,
   input  logic                                rst_ni,
@@ -63,7 +63,7 @@ module dopu_layer #(
         if (bits_left_q != '0) sum_q <= (sum_q << 1) + (scale_q[FocalW-1] ? SumW'(delta_q) : '0);
       end
       if (bits_left_q == '0 && !ready_q) begin
-        slab_q <= (sum_q >> WorldW) >= SumW'(pipegs_pkg::Grid) ? GridW'(pipegs_pkg::Grid - 1) : sum_q[WorldW +: GridW];
+        slab_q <= (sum_q >> WorldW) >= SumW'(pipegs_pkg::TableSide) ? GridW'(pipegs_pkg::TableSide - 1) : sum_q[WorldW +: GridW];
       end
     end
 
@@ -87,7 +87,7 @@ module dopu_layer #(
     assign camera_slab = (GridW+2)'(slab_q);
     assign distance    = (GridW+2)'((step_i + 1'b1) >> 1);  // (s+1)/2; for an even step the same as s/2
     assign slab        = step_i[0] ? camera_slab + distance : camera_slab - distance;
-    assign inside_o    = slab >= 0 && slab < (GridW+2)'(pipegs_pkg::Grid);
+    assign inside_o    = slab >= 0 && slab < (GridW+2)'(pipegs_pkg::TableSide);
     assign {second, first} = number_i;
 
     always_comb begin
@@ -99,7 +99,7 @@ module dopu_layer #(
     end
   end else begin : gen_table
     assign ready_o  = 1'b1;
-    assign inside_o = step_i < (GridW+1)'(pipegs_pkg::Grid);
+    assign inside_o = step_i < (GridW+1)'(pipegs_pkg::TableSide);
     assign cell_o   = {step_i[GridW-1:0], number_i};
     logic unused_inputs;
     assign unused_inputs = &{1'b0, clk_i, rst_ni, start_i, axis_i, position_i, grid_i, step_i};

@@ -46,7 +46,7 @@ module pipegs_dopu (
   localparam int unsigned BurstW   = pipegs_pkg::BurstW;
   localparam int unsigned KindW    = pipegs_pkg::KindW;
   localparam int unsigned PlaceW   = pipegs_pkg::PlaceW;
-  localparam int unsigned GridW    = pipegs_pkg::Grid > 1 ? $clog2(pipegs_pkg::Grid) : 1;
+  localparam int unsigned GridW    = pipegs_pkg::TableSide > 1 ? $clog2(pipegs_pkg::TableSide) : 1;
 
   // --- the order of the slabs ---------------------------------------------------------------------------------------
   logic [1:0]         axis;

@@ -86,7 +86,7 @@ void add_buffers(const Config& c, StaticCost& cost) {
   }
 
   add("DOPU readers u_lines", "scene", memory, c.node_lines(), 2);
-  const int cell_bits = 3 * (c.grid > 1 ? clog2(c.grid) : 1);
+  const int cell_bits = 3 * (c.table_side() > 1 ? clog2(c.table_side()) : 1);
   add("DOPU u_cells.u_table", "scene", 2 * record_width<Node>(c), 1 << (cell_bits - 1), 1);
   if (c.has_watermarks()) {  // six lists of nodes, each in buckets of depth
     const int nodes = c.nearest_nodes, number = clog2(nodes);

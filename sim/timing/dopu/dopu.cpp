@@ -20,7 +20,7 @@ constexpr Cycle kOriginCycles = 9, kShiftCycles = 4, kPlanesCycles = 53;
 
 Dopu::Dopu(const Machine& m)
     : units_(m.units),
-      grid_(m.config.grid),
+      grid_(m.config.table_side()),
       axis_(dopu_axis(m.frame)),
       walks_(m.trace.walks.size()),
       judges_(m.frame.walk_most != 0),
