@@ -151,7 +151,7 @@ void VerilatedMachine::tap(RtlTaps& taps) {
 void VerilatedMachine::tap_cycle(RtlTaps& taps) {
   const Vpipegs_sim& top = *dut_;
   if (running_ && top.tap_busy_o) {
-    uint8_t states[1 + 3 * 4];
+    uint8_t states[1 + 3 * kMostUnits];
     for (int unit = 0; unit < 1 + 3 * w_.units; ++unit)
       states[unit] = static_cast<uint8_t>(top.tap_state_o >> (2 * unit) & 3);
     taps.on_cycle(counted_++, states);
