@@ -89,10 +89,10 @@ void config_check(const Config& config) {
     throw ConfigError("configuration: order = 2 needs bucket_bits of at least 1");
   }
   // A window on trial (dopu_load) keeps its cells waiting, and at most half a queue of groups: neither may fill it.
-  if (const int cells = config.table_side() * config.table_side() * config.table_side();
+  if (const int cells = config.grid * config.grid * config.grid;
       config.has_walks() && config.nearest_nodes < 2 * cells) {
     throw ConfigError("configuration: nearest_nodes = " + std::to_string(config.nearest_nodes) +
-                      ", expected with window = 128 at least two for each entry of the table of cells = " + std::to_string(2 * cells));
+                      ", expected with window = 128 at least 2 grid^3 = " + std::to_string(2 * cells));
   }
   if (!config.layered && config.order != 0) throw ConfigError("configuration: layered = 0 needs order = 0");
   if (config.tight_cull && config.order == 1) throw ConfigError("configuration: tight_cull = 1 needs order 0 or 2");

@@ -238,7 +238,7 @@ void fill_nodes(const Scene& scene, PackedScene& packed) {
     }
   };
   fill_parents(packed.groups, packed.chunks);
-  if (packed.config.has_watermarks()) {
+  if (packed.config.table_side() > packed.config.grid) {
     const auto side = static_cast<size_t>(packed.config.table_side());
     packed.cells = cell_table(packed.cells, packed.groups, side * side * side);
   }

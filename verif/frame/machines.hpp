@@ -43,7 +43,7 @@ inline const std::vector<Machine> kMachines = {
      {"antialias=1", "alpha_cut=128", "tile_test=0", "pace=4", "exp_linear=0", "t_cut=1000", "guard_band=0",
       "early_stop=0", "bus_w=0", "taps=0"}},
     {"fast", {"occlusion=0", "pace=8"}},
-    {"fast", {"grid=2", "records=48", "nearest_nodes=128"}}};
+    {"fast", {"records=48", "nearest_nodes=128"}}};
 
 // Their numbers.
 enum Numbered : size_t {

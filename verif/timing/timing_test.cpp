@@ -281,7 +281,6 @@ TEST(Timing, SteppingEveryUnitInEveryCycleChangesNothing) {
         for (const char* setting : {"alpha_lines=64", "fetch_lines=4", "records=16"})
           config_set(options.config, setting);
         options.config.nearest_nodes = options.config.has_walks() ? 128 : 16;
-        if (options.config.has_walks()) options.config.grid = 2;
       }
       const TimedFrame frame(own_view(), options, 2);
       const TimingResult woken = frame.run(), always = frame.run({.every_cycle = true});
