@@ -29,10 +29,10 @@ DopuCounts dopu_window(const Config& config, const Frame& frame, const PackedSce
   const int axis = dopu_axis(frame), camera = dopu_layer_camera(config, frame, axis);
   const Planes planes = dopu_planes(config, frame, window_x, window_y);
   int layer = 0;
-  for (int step = 0; step < 2 * config.table_side(); ++step) {
+  for (int step = 0; step < 2 * config.grid; ++step) {
     const int slab = dopu_layer_step(config, camera, step);
     if (slab < 0) continue;
-    for (int n = 0; n < config.table_side() * config.table_side(); ++n) {
+    for (int n = 0; n < config.slab_cells(); ++n) {
       const Node& cell = scene.cells[static_cast<size_t>(dopu_layer_cell(config, axis, slab, n))];
       if (cell.count == 0) continue;
       ++counts.cell_tests;

@@ -238,9 +238,8 @@ void fill_nodes(const Scene& scene, PackedScene& packed) {
     }
   };
   fill_parents(packed.groups, packed.chunks);
-  if (packed.config.table_side() > packed.config.grid) {
-    const auto side = static_cast<size_t>(packed.config.table_side());
-    packed.cells = cell_table(packed.cells, packed.groups, side * side * side);
+  if (packed.config.has_watermarks()) {
+    packed.cells = cell_table(packed.cells, packed.groups, static_cast<size_t>(packed.config.table_cells()));
   }
   fill_parents(packed.cells, packed.groups);
 }

@@ -2,8 +2,8 @@
 // pack_cells: the table of cells of a machine with watermarks: a cell with many groups becomes several.
 //
 // Idea    A window tests every group of a cell that it touches, and half of all Gaussians may lie in a few cells of the
-//         grid. Where the order of cells says nothing (order 2) the table has eight entries for each of them. An entry
-//         is any run of groups: the one with most groups is cut where its two halves' boxes are smallest, until the
+//         grid. Where the order of cells says nothing (order 2) the table has more entries than the grid has cells.
+//         An entry is any run of groups: the one with most groups is cut where its two halves' boxes are smallest, until the
 //         table is full or none has more than kFewGroups. Chunks and groups stay as they are, and so do pixels.
 // Pace    Groups times log entries, at most.
 #pragma once

@@ -106,11 +106,11 @@ class WindowTrace {
     walk().cells.resize((packed_.cells.size() + 63) / 64);
     walk().groups.resize((packed_.groups.size() + 63) / 64);
     const int axis = dopu_axis(frame_), camera = dopu_layer_camera(config_, frame_, axis);
-    for (int step = 0; step < 2 * config_.table_side(); ++step) {
+    for (int step = 0; step < 2 * config_.grid; ++step) {
       const int slab = dopu_layer_step(config_, camera, step);
       if (slab < 0) continue;
       if (config_.layered || layers_.empty()) layers_.emplace_back();
-      for (int n = 0; n < config_.table_side() * config_.table_side(); ++n) {
+      for (int n = 0; n < config_.slab_cells(); ++n) {
         const auto number = static_cast<uint64_t>(dopu_layer_cell(config_, axis, slab, n));
         const Node& cell = packed_.cells[number];
         if (cell.count == 0 || !passes(cell, 0)) continue;
