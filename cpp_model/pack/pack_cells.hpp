@@ -3,8 +3,9 @@
 //
 // Idea    A window tests every group of a cell that it touches, and half of all Gaussians may lie in a few cells of the
 //         grid. Where the order of cells says nothing (order 2) the table has more entries than the grid has cells.
-//         An entry is any run of groups: the one with most groups is cut where its two halves' boxes are smallest, until the
-//         table is full or none has more than kFewGroups. Chunks and groups stay as they are, and so do pixels.
+//         An entry is any run of groups: the one with most groups is cut where its two parts, groups times surface of
+//         the box that holds them, come to least, until the table is full or none has more than kFewGroups. Chunks and
+//         groups stay as they are, and so do pixels.
 // Pace    Groups times log entries, at most.
 #pragma once
 

@@ -9,7 +9,8 @@
 //         next set may overwrite.
 // Stream  item: keys with slots in order, or an end with its kind as slot. out: splats. free: a slot whose record was
 //         read.
-// Pace    One splat per cycle, none behind a write into the pool; of a set that spilled one in three cycles, or as fast as the memory takes requests.
+// Pace    One splat per cycle, none behind a write into the pool; of a set that spilled one in three cycles, or as fast
+//         as the memory takes requests.
 // Model   Plumbing; the whole SU is tested against cpp_model/su/su.hpp.
 
 module su_emit (

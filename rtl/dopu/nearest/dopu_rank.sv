@@ -2,8 +2,8 @@
 // dopu_rank: which nodes can touch the window, and in which bucket of depth they lie.
 //
 // Paper   None.
-// Idea    Three box tests, out of step, take turns. The depth of a node's nearest corner gives its step; relative to the
-//         near plane's step it is the bucket, clamped at both ends, and never below the parent's: what holds for the
+// Idea    Three box tests, out of step, take turns. The depth of a node's nearest corner gives its step; relative to
+//         the near plane's step it is the bucket, clamped at both ends, and never below the parent's: what holds for the
 //         parent's box holds for what lies inside. Where windows have walks, the bucket of the farthest corner, too.
 // Stream  node: a node, its set of planes, its parent's bucket, which of its boxes counts, a tag. result: tag, pass,
 //         bucket and those fields of the node that are still needed, in the order of the nodes; it has no ready: the

@@ -269,7 +269,7 @@ Config timing_config(Config config) {
   config.records = standard.records;
   config.fetch_lines = standard.fetch_lines;
   if (!config.has_watermarks()) config.bucket_bits = standard.bucket_bits;
-  if (!config.has_walks()) config.nearest_nodes = standard.nearest_nodes;  // see dopu_load
+  if (!config.has_watermarks()) config.nearest_nodes = standard.nearest_nodes;  // see table_cells, dopu_load
   config.mark_chunks = standard.mark_chunks;
   config.late = standard.late;
   config.quadratic = standard.quadratic;

@@ -2,8 +2,8 @@
 // free_sram: stands for rtl/lib/pipegs_sram.sv in proofs of its users: any output that the rule of proof_memory allows.
 //
 // Idea    Nothing is stored but what proof_memory remembers, so a proof costs the same for any size. All that a real
-//         SRAM does is allowed here (proof `sram`), so what holds with this module holds with that one. Where the machine
-//         has one port, its user never reads and writes in one cycle.
+//         SRAM does is allowed here (proof `sram`), so what holds with this module holds with that one. With
+//         one port its user never reads and writes in one cycle.
 
 module pipegs_sram #(
   parameter int unsigned DataW = 32,
