@@ -63,12 +63,14 @@ module dopu_cells #(
   logic [BurstW-1:0]               rest;  // lines of the aligned group of eight behind the present one
   logic [pipegs_pkg::AddressW-1:0] address_q;
   logic [TableW-1:0]                write_line_q;
-  logic                            answer, whole;
+  logic                            asks_q;  // of to_ask_q: whether the memory is asked leads into its arbiter
+  logic                            answer, whole, asked;
 
   assign loading_o     = to_come_q != '0;
   assign answer        = rsp_valid_i && loading_o;
   assign whole         = cells_i.lines >= pipegs_pkg::AddressW'(TableLines);
-  assign mem_valid_o   = to_ask_q != '0 && whole;
+  assign mem_valid_o   = asks_q;
+  assign asked         = mem_valid_o && mem_ready_i;
   assign bad_o         = to_ask_q != '0 && !whole;
   assign mem_address_o = address_q;
   assign rest          = ~address_q[BurstW-1:0];
@@ -76,13 +78,18 @@ module dopu_cells #(
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
+      asks_q    <= 1'b0;
       to_ask_q  <= '0;
       to_come_q <= '0;
     end else if (start_i) begin
+      asks_q    <= whole;
       to_ask_q  <= LinesW'(TableLines);
       to_come_q <= LinesW'(TableLines);
     end else begin
-      if (mem_valid_o && mem_ready_i) to_ask_q <= to_ask_q - LinesW'(mem_lines_o) - 1'b1;
+      if (asked) begin
+        asks_q   <= 32'(to_ask_q) > 32'(rest) + 32'd1;
+        to_ask_q <= to_ask_q - LinesW'(mem_lines_o) - 1'b1;
+      end
       if (answer) to_come_q <= to_come_q - 1'b1;
     end
   end
@@ -91,7 +98,7 @@ module dopu_cells #(
       address_q    <= cells_i.first;
       write_line_q <= '0;
     end else begin
-      if (mem_valid_o && mem_ready_i) address_q <= address_q + pipegs_pkg::AddressW'(mem_lines_o) + 1'b1;
+      if (asked) address_q <= address_q + pipegs_pkg::AddressW'(mem_lines_o) + 1'b1;
       if (answer) write_line_q <= write_line_q + 1'b1;
     end
   end
