@@ -3,8 +3,9 @@
 //
 // Paper   None.
 // Idea    Three box tests, out of step, take turns. The depth of a node's nearest corner gives its step; relative to
-//         the near plane's step it is the bucket, clamped at both ends, and never below the parent's: what holds for the
-//         parent's box holds for what lies inside. Where windows have walks, the bucket of the farthest corner, too.
+//         the near plane's step it is the bucket, clamped at both ends, and never below the parent's: what holds for
+//         the parent's box holds for what lies inside. Where windows have walks, the bucket of the farthest corner,
+//         too.
 // Stream  node: a node, its set of planes, its parent's bucket, which of its boxes counts, a tag. result: tag, pass,
 //         bucket and those fields of the node that are still needed, in the order of the nodes; it has no ready: the
 //         caller asks only for what it can take.
