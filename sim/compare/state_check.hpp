@@ -48,8 +48,8 @@ class StateCheck final : public RtlTaps {
 
  private:
   static constexpr size_t kKinds = 4, kUnits = kMostUnits, kStates = 4;  // units of a kind at most
-  static constexpr uint64_t kKept = 8;                          // cycles that are looked back at
-  static constexpr int64_t kNone = -1;                          // before the first one
+  static constexpr uint64_t kKept = 8;                                   // cycles that are looked back at
+  static constexpr int64_t kNone = -1;                                   // before the first one
   struct Cycle {
     int64_t number = kNone;
     std::array<uint8_t, 1 + (kKinds - 1) * kUnits> states;

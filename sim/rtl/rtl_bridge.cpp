@@ -405,10 +405,9 @@ RtlResult VerilatedMachine::drive(const std::function<void(const pipegs_bus&)>& 
   result.cycles = counters.cycles;
   result.preprocess_cycles = counters.preprocess_cycles;
   result.overflow_lines = counters.overflow_lines;
-  for (const auto& [cycles, count, first] : {std::tuple{&result.dopu, 1, &counters.dopu_busy},
-                                             std::tuple{&result.pu, w_.units, &counters.pu0_busy},
-                                             std::tuple{&result.su, w_.units, &counters.su0_busy},
-                                             std::tuple{&result.ru, w_.units, &counters.ru0_busy}}) {
+  for (const auto& [cycles, count, first] :
+       {std::tuple{&result.dopu, 1, &counters.dopu_busy}, std::tuple{&result.pu, w_.units, &counters.pu0_busy},
+        std::tuple{&result.su, w_.units, &counters.su0_busy}, std::tuple{&result.ru, w_.units, &counters.ru0_busy}}) {
     for (int i = 0; i < count; ++i) {
       const uint64_t* unit = first + 4 * i;
       cycles->push_back({unit[0], unit[1], unit[2], unit[3]});
