@@ -2,6 +2,8 @@
 // config.cpp: see config.hpp.
 #include "cpp_model/config.hpp"
 
+#include <tuple>
+
 #include "scenes/text/number.hpp"
 
 namespace pipegs {
@@ -105,6 +107,17 @@ void config_check(const Config& config) {
   if (const int bits = node_bits(config), most = config.memory_w() / 2; bits > most) {
     throw ConfigError("configuration: a node has " + std::to_string(bits) + " bits, expected at most " +
                       std::to_string(most) + ": world_w or scale_m_w must be smaller");
+  }
+  if (config.record != 48 && config.record != 96) {
+    throw ConfigError("configuration: record = " + std::to_string(config.record) + ", expected 48 or 96");
+  }
+  for (const auto& [name, value, least] : {std::tuple{"pos_w", config.pos_w, Config::offset_code_w()},
+                                           {"base_w", config.base_w, Config::base_code_w() + 2},
+                                           {"sh_m_w", config.sh_m_w, 11}}) {
+    if (config.coded() && value < least) {
+      throw ConfigError("configuration: " + std::string(name) + " = " + std::to_string(value) +
+                        ", expected with record = 48 at least " + std::to_string(least));
+    }
   }
   if (config.pace == 4 && config.tile_test == 2) throw ConfigError("configuration: pace = 4 needs tile_test 0 or 1");
   if (config.power_f > config.coeff_f) throw ConfigError("configuration: power_f must not exceed coeff_f");

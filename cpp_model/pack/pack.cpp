@@ -16,6 +16,8 @@
 #include "cpp_model/pack/pack_nodes.hpp"
 #include "cpp_model/pack/pack_order.hpp"
 #include "cpp_model/pack/pack_quantize.hpp"
+#include "cpp_model/pu/color/pu_color_fetch.hpp"
+#include "cpp_model/pu/front/pu_decode.hpp"
 #include "scenes/input_error.hpp"
 
 namespace pipegs {
@@ -178,9 +180,10 @@ void order_cells(const Config& config, float window, CellItems& cells) {
 // Cuts the cells into chunks: of these only where they begin and how many they hold. Slots are given to Gaussians.
 void cut_chunks(CellItems& cells, PackedScene& packed) {
   const size_t chunk = static_cast<size_t>(packed.config.chunk), group = static_cast<size_t>(packed.config.group);
-  const size_t most = cells.items.size() / chunk + cells.first.size();
+  const size_t most = cells.items.size() / chunk + cells.first.size(),
+               aligned = static_cast<size_t>(std::max(2, packed.config.gaussians_per_line()));  // a chunk begins a line
   packed.chunks.reserve(most);
-  packed.slot_to_index.reserve(cells.items.size() + most);
+  packed.slot_to_index.reserve(cells.items.size() + most * (aligned - 1));
   for (size_t n = 0; n + 1 < cells.first.size(); ++n) {
     const std::span<const OrderItem> items = cells.cell(n);
     Node cell;
@@ -191,7 +194,7 @@ void cut_chunks(CellItems& cells, PackedScene& packed) {
       node.first = packed.slot_to_index.size();
       node.count = std::min(chunk, items.size() - begin);
       for (const OrderItem& item : items.subspan(begin, node.count)) packed.slot_to_index.push_back(item.index);
-      if (packed.slot_to_index.size() % 2 != 0) packed.slot_to_index.push_back(kPadding);  // chunks start at even slots
+      while (packed.slot_to_index.size() % aligned != 0) packed.slot_to_index.push_back(kPadding);
       ++packed.groups.back().count;
     }
     cell.count = packed.groups.size() - cell.first;
@@ -201,19 +204,33 @@ void cut_chunks(CellItems& cells, PackedScene& packed) {
 
 // One chunk's node and its records.
 void fill_chunk(const Scene& scene, PackedScene& packed, Node& chunk, PackCounts& counts) {
-  std::vector<WorldPoint> means(chunk.count);
-  std::vector<GaussianRecord> records(chunk.count);
-  for (size_t i = 0; i < means.size(); ++i) {
-    const uint32_t index = packed.slot_to_index[chunk.first + i];
-    ActivatedGaussian gaussian;
-    activate(scene, index, gaussian);
-    means[i] = world_point(scene, index, packed.scene_exponent);
-    records[i] = quantize(packed.config, scene, gaussian, index, packed.scene_exponent, counts);
-  }
+  const Config& config = packed.config;
   const size_t first = chunk.first;
-  chunk = make_chunk(packed.config, means, records);
+  std::vector<WorldPoint> means(chunk.count);
+  std::vector<ActivatedGaussian> gaussians(chunk.count);
+  std::vector<GaussianRecord> records(chunk.count);
+  const auto index_of = [&](size_t i) { return packed.slot_to_index[first + i]; };
+  for (size_t i = 0; i < means.size(); ++i) {
+    activate(scene, index_of(i), gaussians[i]);
+    means[i] = world_point(scene, index_of(i), packed.scene_exponent);
+  }
+  std::vector<GaussianCode> codes(config.coded() ? chunk.count : 0);
+  const uint64_t scale_exp = config.coded() ? chunk_scale_exp(config, gaussians, packed.scene_exponent) : 0;
+  for (size_t i = 0; i < means.size(); ++i) {
+    if (config.coded()) {
+      codes[i] = encode(config, scene, gaussians[i], index_of(i), packed.scene_exponent, scale_exp, counts);
+      records[i] = pu_decode(config, codes[i], scale_exp, first + i);
+    } else {
+      records[i] = quantize(config, scene, gaussians[i], index_of(i), packed.scene_exponent, counts);
+    }
+  }
+  chunk = make_chunk(config, means, records, scale_exp);
   chunk.first = first;
   for (size_t i = 0; i < records.size(); ++i) packed.gaussians.set(first + i, records[i]);
+  for (size_t i = 0; i < codes.size(); ++i) {
+    set_offsets(config, records[i], codes[i]);
+    packed.codes.set(first + i, codes[i]);
+  }
 }
 
 // Gives slots and chunks to the Gaussians that are kept; frees what only the order needs.
@@ -228,6 +245,7 @@ void order_and_cut(const Scene& scene, std::vector<uint32_t> kept, const SceneBo
 
 void fill_nodes(const Scene& scene, PackedScene& packed) {
   packed.gaussians.resize(packed.slot_to_index.size());
+  if (packed.config.coded()) packed.codes.resize(packed.slot_to_index.size());
   for_blocks(packed.chunks.size(), kChunkBlock, packed.counts, [&](size_t begin, size_t end, PackCounts& counts) {
     for (size_t i = begin; i < end; ++i) fill_chunk(scene, packed, packed.chunks[i], counts);
   });
@@ -246,14 +264,14 @@ void fill_nodes(const Scene& scene, PackedScene& packed) {
 
 void pack_colors(const Scene& scene, PackedScene& packed) {
   if (packed.sh_degree == 0) return;
-  const size_t per_line = static_cast<size_t>(color_slots_per_line(packed.sh_degree)),
+  const size_t per_line = static_cast<size_t>(color_slots_per_line(packed.config, packed.sh_degree)),
                slots = packed.slot_to_index.size();
   packed.colors.assign((slots + per_line - 1) / per_line, MemoryLine{});
   for_blocks(slots, kBlock, packed.counts, [&](size_t begin, size_t end, PackCounts& counts) {
     for (size_t slot = begin; slot < end; ++slot) {
       if (packed.slot_to_index[slot] == kPadding) continue;
       quantize_colors(packed.config, scene, packed.sh_degree, packed.slot_to_index[slot],
-                      packed.colors[slot / per_line].data(), static_cast<int>(slot % per_line) * 128, counts);
+                      packed.colors[slot / per_line].data(), color_place(packed.config, packed.sh_degree, slot), counts);
     }
   });
 }

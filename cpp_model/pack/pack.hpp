@@ -51,12 +51,19 @@ struct PackedScene {
   int sh_degree = 0;                        // of the packed colours: the scene's, at most the configuration's
   std::vector<Node> cells, groups, chunks;  // cell -> groups -> chunks -> Gaussians
   NarrowTable<GaussianRecord> gaussians;    // by slot
+  NarrowTable<GaussianCode> codes;          // as they lie in memory, if coded: gaussians holds what they stand for
   std::vector<uint32_t> slot_to_index;      // index in the scene, kPadding for an empty slot
   size_t scene_gaussians = 0;               // of the scene, those left out included
   std::vector<MemoryLine> colors;           // SH coefficients, degree 1: four slots in a line, else one
   GridBox grid;
   MemoryLayout layout;
   PackCounts counts;
+
+  // In the scene, of the index by which the machine orders Gaussians of one depth.
+  uint32_t scene_index(uint64_t index) const {
+    const bool slot = config.coded() && index < slot_to_index.size();
+    return slot ? slot_to_index[index] : static_cast<uint32_t>(index);
+  }
 };
 
 struct MemoryImage {

@@ -66,12 +66,14 @@ void set_extents(const Config& config, const Extents& half, Extents down, Extent
 }
 
 // Centre, offset exponent, offsets of the records and half extents of one chunk, all from the rounded means.
-Node make_chunk(const Config& config, std::span<const WorldPoint> means, std::span<GaussianRecord> records) {
+Node make_chunk(const Config& config, std::span<const WorldPoint> means, std::span<GaussianRecord> records,
+                uint64_t scale_exp) {
   Node node;
   int64_t* const center[3] = {&node.center_x, &node.center_y, &node.center_z};
   int64_t GaussianRecord::*const offset[3] = {&GaussianRecord::offset_x, &GaussianRecord::offset_y,
                                               &GaussianRecord::offset_z};
-  const int64_t most = (int64_t{1} << (config.pos_w - 1)) - 1;
+  const int below = config.coded() ? config.pos_w - Config::offset_code_w() : 0;  // bits of an offset that are zero
+  const int64_t most = (int64_t{1} << (config.pos_w - 1 - below)) - 1;
   int64_t widest = 0;
   for (size_t axis = 0; axis < 3; ++axis) {
     int64_t low = means[0][axis], high = low;
@@ -82,13 +84,14 @@ Node make_chunk(const Config& config, std::span<const WorldPoint> means, std::sp
     *center[axis] = shift_floor(low + high, 1);
     widest = std::max(widest, high - *center[axis]);  // high is at least as far as low
   }
-  while (shift_round(widest, static_cast<int>(node.offset_exp)) > most) ++node.offset_exp;
+  while (shift_round(widest, static_cast<int>(node.offset_exp) + below) > most) ++node.offset_exp;
   Extents half = {0, 0, 0}, down = {0, 0, 0}, up = {0, 0, 0};
   for (size_t i = 0; i < means.size(); ++i) {
     const std::array<double, 3> extent =
         config.tight_boxes ? ellipsoid_extents(config, records[i]) : std::array<double, 3>{};
     for (size_t axis = 0; axis < 3; ++axis) {
-      const int64_t rounded = shift_round(means[i][axis] - *center[axis], static_cast<int>(node.offset_exp));
+      const int64_t rounded = shift_round(means[i][axis] - *center[axis], static_cast<int>(node.offset_exp) + below) *
+                              (int64_t{1} << below);
       records[i].*offset[axis] = rounded;
       const int64_t away = std::abs(rounded) << node.offset_exp;
       const double farthest = std::min(std::ceil(extent[axis]), std::ldexp(1.0, config.world_w));
@@ -101,7 +104,7 @@ Node make_chunk(const Config& config, std::span<const WorldPoint> means, std::sp
   set_extents(config, half, down, up, node);
   double scale = 0;
   for (const GaussianRecord& record : records) scale = std::max(scale, effective_scale(config, record));
-  node.scale_max = encode_scale(config, scale * (1 + 1e-9), true);
+  node.scale_max = std::max(encode_scale(config, scale * (1 + 1e-9), true), scale_exp << config.scale_m_w);
   node.count = means.size();
   return node;
 }

@@ -314,6 +314,7 @@ void StreamCheck::fail(uint64_t window, Mismatch mismatch) {
   mismatch.window_x = input_.frame.raster.windows.first_x + window % windows_x_;
   mismatch.window_y = input_.frame.raster.windows.first_y + window / windows_x_;
   mismatch.cycle = cycle;
+  if (mismatch.gaussian) mismatch.gaussian = input_.packed->scene_index(*mismatch.gaussian);
   mismatch.what = text_of(mismatch);
   first_ = std::move(mismatch);
 }
