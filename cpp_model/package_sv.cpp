@@ -128,6 +128,7 @@ constexpr const char* kBundles = R"(
   // Bundles: wires of all units side by side, the first unit lowest.
   localparam int unsigned ReadPorts = MemoryPorts - WritePorts;
   typedef struct packed {  // ports that only read: geometry of each PU, its colours, then the DOPU
+    logic [Units-1:0][HalvesW-1:0] halves;  // of the line of colours, what is needed
     logic [ReadPorts-1:0][BurstW-1:0] lines;  // less one
     logic [ReadPorts-1:0][AddressW-1:0] address;
     logic [ReadPorts-1:0] valid;

@@ -53,7 +53,7 @@ std::vector<MemoryTraffic> memory_traffic(const Config& config, const ExternalMe
   for (int port = 0; port < config.memory_ports(); ++port) {
     MemoryTraffic& traffic = result[memory_stream(config, port)];
     traffic.bursts += memory.traffic()[port].bursts;
-    traffic.bytes_read += 64 * memory.traffic()[port].lines_read;
+    traffic.bytes_read += 32 * memory.traffic()[port].halves_read;
     traffic.bytes_written += 32 * memory.traffic()[port].halves_written;
   }
   return result;
