@@ -2,6 +2,7 @@
 // pack_test: cpp_model/pack/pack.cpp, pack_nodes, pack_order, pack_quantize and pack_image against the scene they came
 // from.
 #include "cpp_model/pack/pack.hpp"
+#include "cpp_model/pu/front/pu_decode.hpp"
 
 #include <gtest/gtest.h>
 
@@ -53,6 +54,7 @@ bool covers(const Config& config, const Node& node, const Node& chunk, const Gau
 // Everything a packed scene promises, for any configuration.
 void check(const Config& config, const Scene& scene, const PackedScene& packed) {
   std::vector<int> seen(scene.gaussians.size());
+  const auto aligned = static_cast<uint64_t>(std::max(2, config.gaussians_per_line()));
   uint64_t next_group = 0, next_chunk = 0, next_slot = 0;
   for (size_t c = 0; c < packed.cells.size(); ++c) {
     const Node& cell = packed.cells[c];
@@ -64,21 +66,23 @@ void check(const Config& config, const Scene& scene, const PackedScene& packed) 
       for (uint64_t k = group.first; k < group.first + group.count; ++k, ++next_chunk) {
         const Node& chunk = packed.chunks.at(k);
         ASSERT_EQ(chunk.first, next_slot) << "chunks lie one behind the other";
-        ASSERT_EQ(chunk.first % 2, 0u);
+        ASSERT_EQ(chunk.first % aligned, 0u) << "a chunk begins a line";
         ASSERT_TRUE(chunk.count >= 1 && chunk.count <= static_cast<uint64_t>(config.chunk));
-        next_slot = chunk.first + (chunk.count + 1) / 2 * 2;
+        next_slot = chunk.first + (chunk.count + aligned - 1) / aligned * aligned;
         for (uint64_t slot = chunk.first; slot < chunk.first + chunk.count; ++slot) {
           const GaussianRecord record = packed.gaussians[slot];
           const uint32_t index = packed.slot_to_index.at(slot);
-          ASSERT_EQ(record.index, index);
+          ASSERT_EQ(packed.scene_index(record.index), index);
           ++seen.at(index);
           ActivatedGaussian exact;
           ASSERT_EQ(activate(scene, index, exact), Cull::kNone);
+          const int below = config.coded() ? config.pos_w - Config::offset_code_w() : 0,
+                    unit = static_cast<int>(chunk.offset_exp) + below;
           for (int axis = 0; axis < 3; ++axis) {
             const double error =
                 std::ldexp(static_cast<double>(world_mean(chunk, record, axis)), packed.scene_exponent) -
                 exact.mean[axis];
-            ASSERT_LE(std::abs(error), std::ldexp(0.5001, static_cast<int>(chunk.offset_exp) + packed.scene_exponent) +
+            ASSERT_LE(std::abs(error), std::ldexp(0.5001, unit + packed.scene_exponent) +
                                            std::ldexp(0.5, packed.scene_exponent));
           }
           for (const Node* node : {&chunk, &group, &cell}) {
@@ -103,10 +107,17 @@ void check(const Config& config, const Scene& scene, const PackedScene& packed) 
     ASSERT_EQ(unpack<Node>(config, image.lines.at(packed.layout.chunks + i / 2).data() + i % 2 * 8), packed.chunks[i]);
   }
   const size_t per_line = static_cast<size_t>(config.gaussians_per_line());
-  for (size_t i = 0; i < packed.gaussians.size(); ++i) {
-    ASSERT_EQ(unpack<GaussianRecord>(config,
-                                     image.lines.at(packed.layout.gaussians + i / per_line).data() + i % per_line * 8),
-              packed.gaussians[i]);
+  const auto in_memory = [&](size_t slot) {
+    return image.lines.at(packed.layout.gaussians + slot / per_line).data() + slot % per_line * (16 / per_line);
+  };
+  for (const Node& chunk : packed.chunks) {
+    for (size_t slot = chunk.first; slot < chunk.first + chunk.count; ++slot) {
+      const uint64_t scale_exp = chunk.scale_max >> config.scale_m_w;
+      const GaussianRecord found =
+          config.coded() ? pu_decode(config, unpack<GaussianCode>(config, in_memory(slot)), scale_exp, slot)
+                         : unpack<GaussianRecord>(config, in_memory(slot));
+      ASSERT_EQ(found, packed.gaussians[slot]) << "slot " << slot;
+    }
   }
 }
 
@@ -114,7 +125,8 @@ TEST(Pack, KeepsItsPromisesInEveryConfiguration) {
   std::mt19937_64 rng(1);
   for (const char* assignment :
        {"units=4", "grid=1", "grid=2", "grid=8", "chunk=8", "chunk=64", "group=1", "world_w=32", "world_w=44",
-        "pos_w=12", "pos_w=24", "scale_m_w=6", "scale_m_w=16", "index_w=16", "sh_degree=1", "tight_boxes=1"}) {
+        "pos_w=12", "pos_w=24", "scale_m_w=6", "scale_m_w=16", "index_w=16", "sh_degree=1", "tight_boxes=1",
+        "record=48"}) {
     SCOPED_TRACE(assignment);
     Config config;
     config_set(config, assignment);
@@ -309,6 +321,43 @@ TEST(PackQuantize, ColoursComeBackWithinHalfAUnitOfTheirExponent) {
       }
     }
   }
+}
+
+// The layout of sh_code.hpp, written down once more.
+TEST(PackQuantize, CodesOfColoursComeBackWithinHalfAUnitOfTheirBand) {
+  std::mt19937_64 rng(6);
+  Config config;
+  config.record = 48;
+  int lower = 0;  // bands that lie below their Gaussian's exponent
+  for (const int degree : {1, 2, 3}) {
+    Scene scene = random_scene(rng, 500, degree);
+    for (size_t i = 0; i < scene.sh_rest.size(); ++i) {  // higher bands are smaller, as in trained scenes
+      const size_t function = i / 3 % static_cast<size_t>(sh_rest_count(degree));
+      if (rng() % 4 != 0) scene.sh_rest[i] *= function < 3 ? 1 : function < 8 ? 0.2f : 0.05f;
+    }
+    const PackedScene packed = pack_scene(config, scene, 1);
+    const size_t per_line = degree == 1 ? 8 : 2;
+    for (size_t slot = 0; slot < packed.slot_to_index.size(); ++slot) {
+      if (packed.slot_to_index[slot] == kPadding) continue;
+      const uint32_t* line = packed.colors[slot / per_line].data();
+      const int at = static_cast<int>(slot % per_line * (512 / per_line));
+      const int exponent = static_cast<int>(get_bits(line, at, 5));
+      const float* exact = sh_rest_of(scene, packed.slot_to_index[slot]);
+      for (int i = 0; i < 3 * sh_rest_count(degree); ++i) {
+        const int band = i < 9 ? 1 : i < 24 ? 2 : 3, width = band == 1 ? 6 : 5;
+        const int place = (degree == 1 ? 5 : 14) + (band == 1 ? 6 * i : 54 + 5 * (i - 9));
+        const int drop = degree == 1 ? 0 : static_cast<int>(get_bits(line, at + 5 + 3 * (band - 1), 3));
+        auto m = static_cast<int64_t>(get_bits(line, at + place, width));
+        if (m >> (width - 1)) m -= int64_t{1} << width;
+        const double unit = std::ldexp(1.0, exponent - drop - 26 - width), limit = 16 - unit;
+        const double wanted = std::clamp(static_cast<double>(exact[i]), -16.0, limit);
+        ASSERT_LE(std::abs(static_cast<double>(m) * unit - wanted), 0.5001 * unit) << "coefficient " << i;
+        lower += drop > 0;
+        ASSERT_LE(drop, 11 - width);
+      }
+    }
+  }
+  EXPECT_GT(lower, 1000);
 }
 
 }  // namespace
