@@ -119,6 +119,10 @@ void config_check(const Config& config) {
                         ", expected with record = 48 at least " + std::to_string(least));
     }
   }
+  if (config.coded() && config.quat_w > 16) {  // the root of pu_decode is no better, and the cull counts on unit length
+    throw ConfigError("configuration: quat_w = " + std::to_string(config.quat_w) +
+                      ", expected with record = 48 at most 16");
+  }
   if (config.pace == 4 && config.tile_test == 2) throw ConfigError("configuration: pace = 4 needs tile_test 0 or 1");
   if (config.power_f > config.coeff_f) throw ConfigError("configuration: power_f must not exceed coeff_f");
 }

@@ -226,6 +226,8 @@ package pipegs_pkg;
   localparam int unsigned BaseCodeW      = 8;  // code of SH band 0, s0.7
   // exponent of the largest effective scale of a chunk; absent unless coded
   localparam int unsigned ScaleExpW      = 0;
+  // where a chunk's Gaussians lie: its node's centre, offset_exp, and the exponent of scale_max if coded
+  localparam int unsigned NodePlaceW     = 126;
   // code of an SH band: by how many bits it lies below the Gaussian's exponent
   localparam int unsigned ShDropW        = 3;
   localparam int unsigned ShBand1W       = 6;  // code of an SH coefficient of band 1, signed

@@ -142,13 +142,15 @@ uint64_t scale_code(const Config& config, double world, uint64_t scale_exp, Pack
 
 uint64_t chunk_scale_exp(const Config& config, std::span<const ActivatedGaussian> gaussians, int scene_exponent) {
   constexpr double kRounded = 1.03;  // half a step of a sixteenth of an octave, and the field's own rounding
-  double widest = 0;
+  double widest = 0, reach = 0;  // of a Gaussian, and of what it does with its opacity
   for (const ActivatedGaussian& gaussian : gaussians) {
-    const double scale = std::max({gaussian.scale.x, gaussian.scale.y, gaussian.scale.z});
+    const double scale = std::ldexp(std::max({gaussian.scale.x, gaussian.scale.y, gaussian.scale.z}), -scene_exponent);
     const uint64_t opacity = opacity_of_code(config, opacity_code(gaussian.opacity));
-    widest = std::max(widest, std::ldexp(scale, -scene_exponent) * reach_of_opacity(config, opacity));
+    widest = std::max(widest, scale);
+    reach = std::max(reach, scale * reach_of_opacity(config, opacity));
   }
-  return encode_scale(config, widest * kRounded, true) >> config.scale_m_w;
+  const auto exponent = [&](double scale) { return encode_scale(config, scale * kRounded, true) >> config.scale_m_w; };
+  return std::max(exponent(reach), exponent(widest * std::exp2(1 - kScaleHeadroom)));
 }
 
 GaussianCode encode(const Config& config, const Scene& scene, const ActivatedGaussian& gaussian, uint32_t index,

@@ -44,7 +44,8 @@ GaussianRecord quantize(const Config& config, const Scene& scene, const Activate
 GaussianCode encode(const Config& config, const Scene& scene, const ActivatedGaussian& gaussian, uint32_t index,
                     int scene_exponent, uint64_t scale_exp, PackCounts& counts);
 
-// The exponent that scale_max of a chunk with these Gaussians has, whichever way their scales are rounded.
+// The exponent that scale_max of a chunk with these Gaussians has, whichever way their scales are rounded: that of the
+// largest effective scale, or so much that the code of none is cut.
 uint64_t chunk_scale_exp(const Config& config, std::span<const ActivatedGaussian> gaussians, int scene_exponent);
 
 // Writes the SH coefficients of scene Gaussian `index` at bit `at` of the line.

@@ -16,7 +16,7 @@ module dopu_send #(
   localparam int unsigned BucketW = pipegs_pkg::BucketW,
   localparam int unsigned StepW = pipegs_pkg::StepW,
   localparam int unsigned DepthW = pipegs_pkg::DepthW,
-  localparam int unsigned DataW = 3 * pipegs_pkg::WorldW + pipegs_pkg::ExpW + pipegs_pkg::CountW + pipegs_pkg::SlotW
+  localparam int unsigned DataW = pipegs_pkg::NodePlaceW + pipegs_pkg::CountW + pipegs_pkg::SlotW
 ) (
   input  logic                          clk_i,
   input  logic                          rst_ni,
@@ -33,7 +33,7 @@ module dopu_send #(
   output logic                          pop_o,
   input  logic                          pop_ready_i,
   input  logic                          popped_i,
-  input  logic [DataW-1:0]              popped_data_i,   // count, first, offset_exp, centre z, y, x
+  input  logic [DataW-1:0]              popped_data_i,   // count, first, scale_exp, offset_exp, centre z, y, x
 
   input  logic                          direct_valid_i,  // of the set sent
   output logic                          direct_ready_o,
@@ -56,6 +56,7 @@ module dopu_send #(
   logic                         set_q, popping_q, valid_q, chunk_set_q;
   logic                         shown_q;  // the output was shown and not taken: it stays, even if its window is done
   logic [pipegs_pkg::KindW-1:0] kind_q;
+  localparam int unsigned CenterW = 3 * pipegs_pkg::WorldW + pipegs_pkg::ExpW;  // of a node, and offset_exp
   logic [DataW-1:0]             data_q;
   logic [SinceW-1:0]            since_q;  // chunks since the last watermark
   logic [BucketW-1:0]           mark_q;   // the last watermark of the window
@@ -141,7 +142,11 @@ module dopu_send #(
   assign mark_o        = kind_q == pipegs_pkg::KindLayerEnd ? {step, {(DepthW - StepW){1'b0}}} : '0;
   always_comb begin
     chunk_o = '0;
-    {chunk_o.count, chunk_o.first, chunk_o.offset_exp, chunk_o.center_z, chunk_o.center_y, chunk_o.center_x} = data_q;
+    {chunk_o.count, chunk_o.first} = data_q[DataW-1:pipegs_pkg::NodePlaceW];
+    {chunk_o.offset_exp, chunk_o.center_z, chunk_o.center_y, chunk_o.center_x} = data_q[0 +: CenterW];
+    if (pipegs_pkg::Coded) begin
+      chunk_o.scale_max[pipegs_pkg::ScaleW-1 -: pipegs_pkg::ScaleEW] = data_q[CenterW +: pipegs_pkg::ScaleEW];
+    end
   end
 
 `ifndef SYNTHESIS

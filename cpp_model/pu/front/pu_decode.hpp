@@ -10,7 +10,7 @@
 //         opacity   -log2(code / 255) from a table; code 0 is as transparent as the field can say
 //         base      (code + 64) / 128: band 0 plus one half
 //         index     the slot: Gaussians of one depth are ordered by it
-// Error   quaternion 2^-9.5 a component (of the code) and 2^-15; scale 2.2 %; see docs/accuracy/records.md
+// Error   quaternion 0.0048 in all (2^-9.5 each of three components); scale 2.2 %; see docs/accuracy/records.md
 // RTL     rtl/pu/front/pu_decode.sv
 #pragma once
 

@@ -69,7 +69,7 @@ module dopu_nearest #(
   localparam int unsigned NodeBits = pipegs_pkg::NodeBits;
   localparam int unsigned SlotW = pipegs_pkg::SlotW;
   localparam int unsigned CountW = pipegs_pkg::CountW;
-  localparam int unsigned PlaceW = 3 * pipegs_pkg::WorldW + pipegs_pkg::ExpW;
+  localparam int unsigned PlaceW = pipegs_pkg::NodePlaceW;
   localparam int unsigned RangeW = CountW + SlotW;
   localparam int unsigned DataW = RangeW + PlaceW;
   localparam int unsigned StepW = pipegs_pkg::StepW;

@@ -17,7 +17,7 @@ module dopu_rank #(
   localparam int unsigned BucketW = pipegs_pkg::BucketW,
   localparam int unsigned StepW = pipegs_pkg::StepW,
   localparam int unsigned LoadW = pipegs_pkg::LoadW,
-  localparam int unsigned PlaceW = 3 * pipegs_pkg::WorldW + pipegs_pkg::ExpW,  // offset_exp, centre z, y, x
+  localparam int unsigned PlaceW = pipegs_pkg::NodePlaceW,                     // scale_exp, offset_exp, centre z, y, x
   localparam int unsigned RangeW = pipegs_pkg::CountW + pipegs_pkg::SlotW      // count, first
 ) (
   input  logic                                  clk_i,
@@ -113,7 +113,8 @@ module dopu_rank #(
     tag_q      <= tag[which];
     nearest_q  <= nearest[which];
     exponent_q <= exponent[which];
-    place_q    <= {result.offset_exp, result.center_z, result.center_y, result.center_x};
+    place_q    <= PlaceW'({result.scale_max[pipegs_pkg::ScaleW-1:pipegs_pkg::ScaleMW], result.offset_exp,
+                           result.center_z, result.center_y, result.center_x});
     range_q    <= {result.count, result.first};
   end
 

@@ -4,7 +4,7 @@
 // Idea    v = (i + r / 2048) / 64: sqrt(v) ~ value[i] + delta[i] r / 2048: 48 chords, i from 16 on, raised by half of
 //         their largest error, so that the error swings evenly between + and -. One gives one; below 1/4, where no
 //         input should be, entry 16 stands for all.
-// Stream  v_i, u1.17 -> root_o, u1.17, rounded to nearest; error at most 2^-15.
+// Stream  v_i, u1.17 -> root_o, u1.17, rounded to nearest; error at most 3.2e-5.
 // Pace    One per cycle, latency two cycles while enable_i, no handshake.
 // Model   cpp_model/lib/math/sqrt.hpp
 // Table   {delta, value}, both with 18 fraction bits; printed values of sqrt_table().

@@ -128,15 +128,11 @@ module pu_decode (
   logic [RootW-1:0] near;
   logic [QuatW-1:0] largest;
   assign last = ride_q[Stages-1];
-  if (RootDown == 0) begin : gen_whole
-    assign near = root;
-  end else begin : gen_rounded
-    assign near = (root >> RootDown) + RootW'(root[RootDown-1]);
-  end
+  assign near    = (root >> RootDown) + RootW'(root[RootDown-1]);
   assign largest = !last.data ? '0 : near[QuatW-1] ? {1'b0, {(QuatW - 1){1'b1}}} : near[QuatW-1:0];  // one does not fit
 
   function automatic logic signed [PosW-1:0] offset(input logic [pipegs_pkg::OffsetCodeW-1:0] code_of);
-    offset = {code_of, (PosW - pipegs_pkg::OffsetCodeW)'(0)};
+    offset = PosW'($signed(code_of)) <<< (PosW - pipegs_pkg::OffsetCodeW);
   endfunction
   localparam int unsigned BaseUp = BaseW - 3 - (pipegs_pkg::BaseCodeW - 1);
   function automatic logic signed [BaseW-1:0] base(input logic signed [pipegs_pkg::BaseCodeW-1:0] code_of);
