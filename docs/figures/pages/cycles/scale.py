@@ -60,7 +60,7 @@ def most_sorting():
         streams = frame(scene).memory.by_stream
         shares[scene] = total_bytes({"sort": streams.sort_overflow}) / total_bytes(streams)
     worst = max(shares, key=shares.get)
-    return f"{percent(shares[worst], 1)} of all bytes, in {worst}"
+    return f"at most {percent(shares[worst], 1)}, in {worst}" if shares[worst] else "none"
 
 
 def gains():
