@@ -395,8 +395,9 @@ void print_package(const pipegs::Config& config) {
                 "Weights of a Gaussian's reach, u1.8, by the six leading bits of -log2(opacity). See "
                 "cpp_model/pu/front/pu_cull.hpp.",
                 pipegs::cull_weight, config);
-  print_entries("ReachWeights", pipegs::kCullWeights, 13, "Their squares for pu_reach, u1.12. See cpp_model/pu/front/pu_reach.hpp.",
-                pipegs::reach_weight, config);
+  print_entries("ReachWeights", pipegs::kCullWeights, 13,
+                "Their squares for pu_reach, u1.12. See cpp_model/pu/front/pu_reach.hpp.", pipegs::reach_weight,
+                config);
   print_entries("OpacityCodes", pipegs::kMostOpacity + 1, config.opacity_w(),
                 "-log2(opacity), u4.OpacityF, of each code. See cpp_model/pu/front/pu_decode.hpp.",
                 pipegs::opacity_of_code, config);

@@ -26,8 +26,8 @@ package pipegs_pkg;
   // 1: of a region the lanes blend only the quads of 2x2 pixels that a splat changes; 0: whole regions (1 needs late,
   // and quadratic = 0)
   localparam int unsigned Quads          = 1;
-  // a Gaussian in memory, its geometry and its SH of degree 3: 96, each as below; 48: codes (record_t) that pu_decode
-  // and pu_color_sum turn into those
+  // a Gaussian in memory, its geometry and its SH of degree 3: 96, each as below; 48: codes (code_t) that pu_decode and
+  // pu_color_sum turn into those
   localparam int unsigned Record         = 96;
   localparam int unsigned WorldW         = 40;  // world coordinate, signed, unit 2^scene_exponent
   // offset of a mean from its chunk's centre, signed, unit 2^offset_exp world units

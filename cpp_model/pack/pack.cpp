@@ -271,7 +271,8 @@ void pack_colors(const Scene& scene, PackedScene& packed) {
     for (size_t slot = begin; slot < end; ++slot) {
       if (packed.slot_to_index[slot] == kPadding) continue;
       quantize_colors(packed.config, scene, packed.sh_degree, packed.slot_to_index[slot],
-                      packed.colors[slot / per_line].data(), color_place(packed.config, packed.sh_degree, slot), counts);
+                      packed.colors[slot / per_line].data(), color_place(packed.config, packed.sh_degree, slot),
+                      counts);
     }
   });
 }

@@ -142,7 +142,7 @@ uint64_t scale_code(const Config& config, double world, uint64_t scale_exp, Pack
 
 uint64_t chunk_scale_exp(const Config& config, std::span<const ActivatedGaussian> gaussians, int scene_exponent) {
   constexpr double kRounded = 1.03;  // half a step of a sixteenth of an octave, and the field's own rounding
-  double widest = 0, reach = 0;  // of a Gaussian, and of what it does with its opacity
+  double widest = 0, reach = 0;      // of a Gaussian, and of what it does with its opacity
   for (const ActivatedGaussian& gaussian : gaussians) {
     const double scale = std::ldexp(std::max({gaussian.scale.x, gaussian.scale.y, gaussian.scale.z}), -scene_exponent);
     const uint64_t opacity = opacity_of_code(config, opacity_code(gaussian.opacity));
@@ -215,7 +215,8 @@ void encode_colors(const Config& config, const float* coefficients, int sh_degre
   }
   put_bits(line, at, config.sh_e_w, static_cast<uint64_t>(exponent));
   for (int band = 1; band <= sh_degree; ++band) {
-    const int width = sh_code_w(band), drop = sh_degree == 1 ? 0 : std::min(exponent - own[band], sh_most_drop(config, band));
+    const int width = sh_code_w(band),
+              drop = sh_degree == 1 ? 0 : std::min(exponent - own[band], sh_most_drop(config, band));
     if (sh_degree > 1) put_bits(line, at + sh_drop_at(config, band), Config::sh_drop_w(), static_cast<uint64_t>(drop));
     for (int i = sh_first(band); i < sh_first(band + 1); ++i) {
       const double mantissa = std::ldexp(static_cast<double>(coefficients[i]), 26 + width + drop - exponent);

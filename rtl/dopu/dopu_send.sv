@@ -56,7 +56,7 @@ module dopu_send #(
   logic                         set_q, popping_q, valid_q, chunk_set_q;
   logic                         shown_q;  // the output was shown and not taken: it stays, even if its window is done
   logic [pipegs_pkg::KindW-1:0] kind_q;
-  localparam int unsigned CenterW = 3 * pipegs_pkg::WorldW + pipegs_pkg::ExpW;  // of a node, and offset_exp
+  localparam int unsigned CenterW = pipegs_pkg::NodePlaceW - pipegs_pkg::ScaleExpW;  // of a node, and offset_exp
   logic [DataW-1:0]             data_q;
   logic [SinceW-1:0]            since_q;  // chunks since the last watermark
   logic [BucketW-1:0]           mark_q;   // the last watermark of the window

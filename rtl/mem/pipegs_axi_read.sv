@@ -3,12 +3,14 @@
 //
 // Idea    A read of up to eight lines is one burst of INCR with the ID {epoch, tag}: AXI keeps the order within an ID,
 //         as the core wants it within a tag. Eight lines are 512 bytes and lie in one aligned group, so no burst
-//         crosses 4 KB. Half a line (Coded, the ports of colours) is half as many beats, or one of half the bus. Counted are the reads accepted and not answered, and of these the ones of an older epoch: their
-//         beats are taken and dropped. One bit tells two epochs apart, so the epoch may change again only when
+//         crosses 4 KB. Half a line (Coded, the ports of colours) is half as many beats, or one of half the bus.
+//         Counted are the reads accepted and not answered, and of these the ones of an older epoch: their beats are
+//         taken and dropped. One bit tells two epochs apart, so the epoch may change again only when
 //         drained_o is up. Of the reads that are out one is remembered until an answer to its ID ends, which may be
 //         that to an older one: so what is remembered is unanswered, and when memory falls silent it is known which
 //         read it owes.
-// Stream  in: the read, {epoch, tag, halves, lines, line}. out: AR; R is never refused. Lines and their tag to the core.
+// Stream  in: the read, {epoch, tag, halves, lines, line}. out: AR; R is never refused. Lines and their tag to the
+//         core.
 // Pace    One read and one beat per cycle; AR shows one cycle after the read, a line one cycle after its last beat.
 // Model   sim/memory/axi/axi_memory.hpp has the other side.
 

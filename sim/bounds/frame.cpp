@@ -210,7 +210,8 @@ BudgetReport Walk::window(uint64_t wx, uint64_t wy) const {
   const GoldenWindow window = golden_window(simulation_.input, wx, wy);
   std::unordered_map<uint64_t, Jobs> jobs;
   for (const GoldenLayer& layer : window.layers) {
-    for (const GoldenSplat& one : layer.splats) jobs[simulation_.packed.scene_index(one.splat.index)][one.splat.part] = &one.job;
+    for (const GoldenSplat& one : layer.splats)
+      jobs[simulation_.packed.scene_index(one.splat.index)][one.splat.part] = &one.job;
   }
   BudgetReport report;
   std::vector<Pixel> pixels(static_cast<size_t>(config_.regions()) * kRegionPixels);

@@ -42,7 +42,7 @@ class ExternalMemory {
   };
   struct Traffic {
     uint64_t lines_read = 0, lines_written = 0;
-    uint64_t bursts = 0;          // reads, each of one to eight lines in a row
+    uint64_t bursts = 0;                           // reads, each of one to eight lines in a row
     uint64_t halves_read = 0, halves_written = 0;  // of 32 bytes
   };
 

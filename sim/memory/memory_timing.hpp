@@ -2,10 +2,10 @@
 // memory_timing.hpp: when the memory outside the chip answers, without its contents: one port for RTL and timing model.
 //
 // Idea    ExternalMemory (contents, for the RTL) and the timing model drive the same object, so that both see the same
-//         memory. PinsTiming is the ideal one: each line costs 64 / bytes_per_cycle cycles of the pins, half a line that is
-//         read half as many; a read answers after `latency` cycles plus a random jitter of up to `jitter` cycles, never before an earlier read of the
-//         same tag. When `queue` lines wait for the pins the port is not ready. DramMemory (dram_memory.hpp) is a DRAM
-//         with its channels, banks and rows.
+//         memory. PinsTiming is the ideal one: each line costs 64 / bytes_per_cycle cycles of the pins, half a line
+//         that is read half as many; a read answers after `latency` cycles plus a random jitter of up to `jitter`
+//         cycles, never before an earlier read of the same tag. When `queue` lines wait for the pins the port is not
+//         ready. DramMemory (dram_memory.hpp) is a DRAM with its channels, banks and rows.
 // Rule    In each cycle: step, then at most one request, only when ready; a read is of up to eight lines in a row. At
 //         most one line is answered per cycle; answers of one tag keep their order.
 // Units   Cycles of the machine's clock. Paper: Sec. 5.1 (off-chip memory).

@@ -82,8 +82,8 @@ void check(const Config& config, const Scene& scene, const PackedScene& packed) 
             const double error =
                 std::ldexp(static_cast<double>(world_mean(chunk, record, axis)), packed.scene_exponent) -
                 exact.mean[axis];
-            ASSERT_LE(std::abs(error), std::ldexp(0.5001, unit + packed.scene_exponent) +
-                                           std::ldexp(0.5, packed.scene_exponent));
+            ASSERT_LE(std::abs(error),
+                      std::ldexp(0.5001, unit + packed.scene_exponent) + std::ldexp(0.5, packed.scene_exponent));
           }
           for (const Node* node : {&chunk, &group, &cell}) {
             ASSERT_TRUE(inside(*node, chunk, record)) << "slot " << slot;
@@ -123,10 +123,9 @@ void check(const Config& config, const Scene& scene, const PackedScene& packed) 
 
 TEST(Pack, KeepsItsPromisesInEveryConfiguration) {
   std::mt19937_64 rng(1);
-  for (const char* assignment :
-       {"units=4", "grid=1", "grid=2", "grid=8", "chunk=8", "chunk=64", "group=1", "world_w=32", "world_w=44",
-        "pos_w=12", "pos_w=24", "scale_m_w=6", "scale_m_w=16", "index_w=16", "sh_degree=1", "tight_boxes=1",
-        "record=48"}) {
+  for (const char* assignment : {"units=4", "grid=1", "grid=2", "grid=8", "chunk=8", "chunk=64", "group=1",
+                                 "world_w=32", "world_w=44", "pos_w=12", "pos_w=24", "scale_m_w=6", "scale_m_w=16",
+                                 "index_w=16", "sh_degree=1", "tight_boxes=1", "record=48"}) {
     SCOPED_TRACE(assignment);
     Config config;
     config_set(config, assignment);

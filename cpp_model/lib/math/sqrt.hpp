@@ -9,7 +9,6 @@
 // RTL     rtl/lib/math/pipegs_sqrt.sv
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>

@@ -12,7 +12,8 @@ namespace pipegs {
 
 uint64_t decode_scale(const Config& c, uint64_t code, uint64_t scale_exp) {
   const int most = (kScaleSteps << c.scale_e_w) - 1;
-  const int place = std::min(kScaleSteps * (static_cast<int>(scale_exp) + kScaleHeadroom) - static_cast<int>(code), most);
+  const int place =
+      std::min(kScaleSteps * (static_cast<int>(scale_exp) + kScaleHeadroom) - static_cast<int>(code), most);
   if (code == kNoScale || place < kScaleSteps) return 0;
   return static_cast<uint64_t>(place / kScaleSteps) << c.scale_m_w | scale_step(c, place % kScaleSteps);
 }

@@ -10,7 +10,7 @@
 //         opacity   -log2(code / 255) from a table; code 0 is as transparent as the field can say
 //         base      (code + 64) / 128: band 0 plus one half
 //         index     the slot: Gaussians of one depth are ordered by it
-// Error   quaternion 0.0048 in all (2^-9.5 each of three components); scale 2.2 %; see docs/accuracy/records.md
+// Error   quaternion 0.0048 in all (2^-9.5 each of three components); scale 2.2 %
 // RTL     rtl/pu/front/pu_decode.sv
 #pragma once
 
@@ -23,8 +23,8 @@
 
 namespace pipegs {
 
-inline constexpr int kScaleSteps = 16;       // of an octave
-inline constexpr int kScaleHeadroom = 3;     // octaves above scale_exp
+inline constexpr int kScaleSteps = 16;                              // of an octave
+inline constexpr int kScaleHeadroom = 3;                            // octaves above scale_exp
 inline constexpr int kNoScale = (1 << Config::scale_code_w()) - 1;  // code of scale zero
 inline constexpr int kMostOpacity = (1 << Config::opacity_code_w()) - 1;
 inline constexpr int64_t kHalfRoot = 46341;  // sqrt(1/2), u0.16

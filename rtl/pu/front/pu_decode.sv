@@ -80,7 +80,7 @@ module pu_decode (
   endfunction
   assign squares = square(code.turn_0) + square(code.turn_1) + square(code.turn_2);
 
-  // --- what rides along beside the root: all but the largest component ------------------------------------------------
+  // --- what rides along beside the root: all but the largest component -----------------------------------------------
   localparam int unsigned HeaderW = pipegs_pkg::FetchedBits - 3 * PosW - 4 * QuatW - 3 * ScaleW - OpacityW - 3 * BaseW -
                                     pipegs_pkg::IndexW - pipegs_pkg::SlotW;
   typedef struct packed {
@@ -122,7 +122,7 @@ module pu_decode (
     .root_o  (root)
   );
 
-  // --- output ----------------------------------------------------------------------------------------------------------
+  // --- output --------------------------------------------------------------------------------------------------------
   localparam int unsigned RootDown = RootW - 1 - (QuatW - 1);
   ride_t            last;
   logic [RootW-1:0] near;

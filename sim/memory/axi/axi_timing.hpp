@@ -35,8 +35,8 @@ class AxiTiming {
   void step();  // the next cycle begins
 
   // What shows in this cycle.
-  bool ready() const { return ready_; }               // AR, AW and W
-  bool beat() const { return beat_ > 0; }             // R is valid
+  bool ready() const { return ready_; }                      // AR, AW and W
+  bool beat() const { return beat_ > 0; }                    // R is valid
   bool line_ends() const { return beat_ == beats(shown_); }  // with the last beat of a line
   const AxiLine& beat_line() const { return shown_; }
   bool answer() const { return answer_; }  // B is valid

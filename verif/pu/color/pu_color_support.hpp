@@ -68,7 +68,8 @@ std::array<uint32_t, 16> random_line(const Config& config, Rng& rng, int low = 0
   std::array<uint32_t, 16> line;
   for (uint32_t& word : line) word = static_cast<uint32_t>(rng());
   for (int at = 0; at < config.memory_w(); at += config.coded() ? 64 : 128)
-    put_bits(line.data(), at, config.sh_e_w, static_cast<uint64_t>(low) + rng() % static_cast<uint64_t>(high - low + 1));
+    put_bits(line.data(), at, config.sh_e_w,
+             static_cast<uint64_t>(low) + rng() % static_cast<uint64_t>(high - low + 1));
   return line;
 }
 

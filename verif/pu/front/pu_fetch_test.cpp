@@ -130,7 +130,8 @@ TEST(PuFetch, KeepsItsPrefetchWithinTheBufferWhileTheSinkStands) {
   for (int i = 0; i < 500; ++i) fetch.bench.step();
   // All lines of the buffer and one in its output register, or those of all chunks that it may ask for.
   const Config& config = fetch.config;
-  const int lines = std::min(config.geometry_lines(), config.geometry_jobs() * config.chunk / config.gaussians_per_line());
+  const int lines =
+      std::min(config.geometry_lines(), config.geometry_jobs() * config.chunk / config.gaussians_per_line());
   EXPECT_LE(fetch.port.requested, static_cast<uint64_t>(lines) + 1);
   EXPECT_GE(fetch.port.requested, static_cast<uint64_t>(lines));
 }
