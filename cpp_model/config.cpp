@@ -78,6 +78,10 @@ void config_check(const Config& config) {
   if (config.quads && (!config.late || config.quadratic)) {
     throw ConfigError("configuration: quads = 1 needs late = 1 and quadratic = 0");
   }
+  if (config.units > config.regions()) {
+    throw ConfigError("configuration: units = " + std::to_string(config.units) + ", expected with window = " +
+                      std::to_string(config.window) + " at most its regions = " + std::to_string(config.regions()));
+  }
   if (config.window == 128 && (!config.quads || config.order == 1)) {
     throw ConfigError("configuration: window = 128 needs quads = 1 and order 0 or 2");
   }

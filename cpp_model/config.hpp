@@ -36,6 +36,8 @@ constexpr int power_floor(int n) {
   return power;
 }
 
+inline constexpr int kMostUnits = 8;  // of a kind: each has its counters in the register map
+
 struct Config {
 #define PIPEGS_CONFIG(name, Name, value, low, high, unit, what) int name = value;
 #define PIPEGS_DERIVED(name, Name, expression, what)

@@ -339,8 +339,11 @@ void print_areas(const pipegs::Config& c) {
   const int share = pipegs::area_share_shift(c);
   std::printf("  // its first line, from the first one of all on; lists have no unit\n%s",
               fmt::format(fmt::runtime(kHead), "area_first", "input logic [UnitW-1:0] unit,\n      ").c_str());
-  std::printf("    area_first = %s(unit[0] ? size >> %d : '0) + (unit[1] ? (size >> %d) << 1 : '0) +\n",
-              c.has_lists() ? "(size >> 1) + " : "", share, share);
+  std::printf("    area_first = %s(unit[0] ? size >> %d : '0) +", c.has_lists() ? "(size >> 1) + " : "", share);
+  for (int bit = 1; bit < c.unit_w(); ++bit) {
+    std::printf(" (unit[%d] ? (size >> %d) << %d : '0) +", bit, share, bit);
+  }
+  std::printf("\n");
   std::printf("                 area_place(size, area);\n    if (area == AreaLists) area_first = '0;\n  endfunction\n");
   std::printf(
       "  // the first line of a window's list, from the first one of all on, where each has 2^log lines\n"

@@ -3,13 +3,13 @@
 // cpp_model/package_sv.cpp from config.def, records.def and control/registers.def of cpp_model (`make package`):
 // change those, never this file.
 //
-// Configuration: fronts=1,window=128,group=16,late=1,order=2,quads=1,pos_w=18,base_w=14,mantissa_w=22,coeff_f=24,tight_cull=1,tight_boxes=1,occlusion=1,tests=2,pace=4,alpha_w=10,pixel_w=32,records=1408,bucket_bits=6,nearest_nodes=1024,mark_chunks=7,taps=0.   Model  cpp_model/config.hpp, cpp_model/records.hpp
+// Configuration: fronts=2,window=128,group=16,late=1,order=2,quads=1,pos_w=18,base_w=14,mantissa_w=22,coeff_f=24,tight_cull=1,tight_boxes=1,occlusion=1,tests=2,pace=4,alpha_w=10,pixel_w=32,records=1408,bucket_bits=7,nearest_nodes=1024,mark_chunks=7,taps=0.   Model  cpp_model/config.hpp, cpp_model/records.hpp
 // Fixed point is written sI.F / uI.F; the first field of a record lies in its low bits.
 
 package pipegs_pkg;
 
-  localparam int unsigned Units          = 4;  // PUs, SUs and RUs (1, 2 or 4), Table 2
-  localparam int unsigned Fronts         = 1;  // PUs that fetch and cull, at most all; every PU projects (1, 2 or 4)
+  localparam int unsigned Units          = 4;  // PUs, SUs and RUs (1, 2, 4 or 8), Table 2
+  localparam int unsigned Fronts         = 2;  // PUs that fetch and cull, at most all; every PU projects (1, 2, 4 or 8)
   localparam int unsigned PixelsPerRow   = 2;  // pixels that one Row Unit computes in a cycle
   // side of a window (16, 32, 64 or 128); regions are 8x8 pixels, a window of 128 has four parts of 64
   localparam int unsigned Window         = 128;
@@ -79,7 +79,7 @@ package pipegs_pkg;
   localparam int unsigned Records        = 1408;  // record store of one SU, a pool of slots
   // mantissa bits of the depth key that choose a bucket of depth: 2^n buckets an octave, in the SUs and in the DOPU
   // (order = 2)
-  localparam int unsigned BucketBits     = 6;
+  localparam int unsigned BucketBits     = 7;
   localparam int unsigned FetchLines     = 32;  // lines of the overflow area that one RU may have asked for
   localparam int unsigned NearestNodes   = 1024;  // nodes that wait in the DOPU, the nearest first (order = 2)
   localparam int unsigned MarkChunks     = 7;  // fewest chunks between two watermarks of a window (order = 2)
@@ -109,10 +109,10 @@ package pipegs_pkg;
   localparam bit HasStores               = 1'b0;  // alpha stores lie between the PUs and the RUs
   localparam bit Oriented                = 1'b0;  // regions are those that the oriented box touches
   localparam bit SpillsAlphas            = 1'b1;  // lines of alphas may lie in external memory
-  localparam int unsigned PuFronts       = 1;  // PUs that fetch and cull
-  localparam int unsigned GeometryJobs   = 32;  // chunks whose lines such a PU has asked for
+  localparam int unsigned PuFronts       = 2;  // PUs that fetch and cull
+  localparam int unsigned GeometryJobs   = 16;  // chunks whose lines such a PU has asked for
   // lines of geometry in flight or waiting in it: as many in all, whatever their number
-  localparam int unsigned GeometryLines  = 256;
+  localparam int unsigned GeometryLines  = 128;
   // Gaussians from where pu_project gives a payload to pu_conic's output: one place less than all; two are in pu_conic,
   // which is no stage of the table in eight cycles
   localparam int unsigned ShapePlaces    = 19;
@@ -122,6 +122,12 @@ package pipegs_pkg;
   // Gaussians from where a payload is known to where pu_intersect takes them: the places before, those in pu_coeff,
   // queue
   localparam int unsigned PayloadDepth   = 20;
+  // a window's cells are walked slab by slab from the camera; 0: in the order of their table
+  localparam bit HasSlabs                = 1'b0;
+  // entries of the table of cells: with watermarks a cell with many groups has several
+  localparam int unsigned TableCells     = 256;
+  localparam int unsigned Slabs          = 1;  // slabs of a window's walk
+  localparam int unsigned SlabCells      = 256;  // entries of the table in a slab
   localparam int unsigned PartsX         = 2;  // parts along a window's side
   // parts of a window, numbered row by row: what masks, coefficients and powers are made for
   localparam int unsigned Parts          = 4;
@@ -147,7 +153,7 @@ package pipegs_pkg;
   localparam int unsigned RecordW        = 11;  // slot of a key or record in an SU's stores
   // octave of a bucket: the depth key's exponent; with watermarks 16 of them, from the near plane's on
   localparam int unsigned OctaveW        = 4;
-  localparam int unsigned BucketW        = 10;  // bucket of depth: its octave, then leading bits of the mantissa
+  localparam int unsigned BucketW        = 11;  // bucket of depth: its octave, then leading bits of the mantissa
   // leading bits of a bucket: where in depth a window's load is counted (dopu_load)
   localparam int unsigned LoadW          = 8;
   localparam int unsigned WindowW        = 10;  // column or row of a window in the frame
@@ -192,7 +198,7 @@ package pipegs_pkg;
   localparam int unsigned OpacityW       = 16;  // -log2(opacity), u4.OpacityF
   // step of depth: the depth key's exponent and leading bits of its mantissa; the DOPU's buckets are steps, counted
   // from the near plane's (order = 2)
-  localparam int unsigned StepW          = 12;
+  localparam int unsigned StepW          = 13;
   localparam int unsigned TanW           = 27;  // x/z, y/z
   localparam int unsigned WindowMeanW    = 31;  // projected mean relative to its window's first pixel
   // projected mean; where it is moved to another first pixel, with lists and with parts, a bit more keeps what
@@ -1241,11 +1247,11 @@ package pipegs_pkg;
     48'h0090_20101828,  // CONFIG_SCENE
     48'h008c_0c050b0e,  // CONFIG_COLOR
     48'h0088_060c1012,  // CONFIG_GAUSSIAN
-    48'h0084_00030e52,  // CONFIG_POINT
+    48'h0084_10030e52,  // CONFIG_POINT
     48'h0080_10048004,  // CONFIG_COUNTS
-    48'h000c_fa43bfdf,  // CONFIG_HASH
-    48'h0008_983831c8,  // LAYOUT
-    48'h0004_00020001,  // VERSION
+    48'h000c_b67e5afb,  // CONFIG_HASH
+    48'h0008_361db30a,  // LAYOUT
+    48'h0004_00030000,  // VERSION
     48'h0000_47504950  // ID
   };
 
@@ -1327,41 +1333,41 @@ package pipegs_pkg;
   // Performance counters: the byte offset of each that this machine has (16 bits), in their order; those of the
   // largest machine lie from begin to end.
   localparam logic [ControlAddressW-1:0] ControlCountersBegin = 12'h600;
-  localparam logic [ControlAddressW-1:0] ControlCountersEnd = 12'h7c0;
+  localparam logic [ControlAddressW-1:0] ControlCountersEnd = 12'h940;
   localparam int unsigned ControlCounters = 55;
   localparam logic [ControlCounters*16-1:0] ControlCounterTable = {
-    16'h07b8,  // ru3_memory
-    16'h07b0,  // ru3_blocked
-    16'h07a8,  // ru3_starved
-    16'h07a0,  // ru3_busy
-    16'h0798,  // ru2_memory
-    16'h0790,  // ru2_blocked
-    16'h0788,  // ru2_starved
-    16'h0780,  // ru2_busy
-    16'h0778,  // ru1_memory
-    16'h0770,  // ru1_blocked
-    16'h0768,  // ru1_starved
-    16'h0760,  // ru1_busy
-    16'h0758,  // ru0_memory
-    16'h0750,  // ru0_blocked
-    16'h0748,  // ru0_starved
-    16'h0740,  // ru0_busy
-    16'h0738,  // su3_memory
-    16'h0730,  // su3_blocked
-    16'h0728,  // su3_starved
-    16'h0720,  // su3_busy
-    16'h0718,  // su2_memory
-    16'h0710,  // su2_blocked
-    16'h0708,  // su2_starved
-    16'h0700,  // su2_busy
-    16'h06f8,  // su1_memory
-    16'h06f0,  // su1_blocked
-    16'h06e8,  // su1_starved
-    16'h06e0,  // su1_busy
-    16'h06d8,  // su0_memory
-    16'h06d0,  // su0_blocked
-    16'h06c8,  // su0_starved
-    16'h06c0,  // su0_busy
+    16'h08b8,  // ru3_memory
+    16'h08b0,  // ru3_blocked
+    16'h08a8,  // ru3_starved
+    16'h08a0,  // ru3_busy
+    16'h0898,  // ru2_memory
+    16'h0890,  // ru2_blocked
+    16'h0888,  // ru2_starved
+    16'h0880,  // ru2_busy
+    16'h0878,  // ru1_memory
+    16'h0870,  // ru1_blocked
+    16'h0868,  // ru1_starved
+    16'h0860,  // ru1_busy
+    16'h0858,  // ru0_memory
+    16'h0850,  // ru0_blocked
+    16'h0848,  // ru0_starved
+    16'h0840,  // ru0_busy
+    16'h07b8,  // su3_memory
+    16'h07b0,  // su3_blocked
+    16'h07a8,  // su3_starved
+    16'h07a0,  // su3_busy
+    16'h0798,  // su2_memory
+    16'h0790,  // su2_blocked
+    16'h0788,  // su2_starved
+    16'h0780,  // su2_busy
+    16'h0778,  // su1_memory
+    16'h0770,  // su1_blocked
+    16'h0768,  // su1_starved
+    16'h0760,  // su1_busy
+    16'h0758,  // su0_memory
+    16'h0750,  // su0_blocked
+    16'h0748,  // su0_starved
+    16'h0740,  // su0_busy
     16'h06b8,  // pu3_memory
     16'h06b0,  // pu3_blocked
     16'h06a8,  // pu3_starved

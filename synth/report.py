@@ -137,7 +137,13 @@ def summary(machine, modules, configuration, library, seconds):
             entries = [unit_entry(machine, module) for module in found]
             units.append({"unit": unit, "instances": sum(numbers), **mean_entry(entries, numbers)})
     memories = collections.Counter(
-        (re.sub(r"\[\d+\]", "[k]", path), unit, module.parameters["Depth"], module.parameters["DataW"])
+        (
+            re.sub(r"\[\d+\]", "[k]", path),
+            unit,
+            module.parameters["Depth"],
+            module.parameters["DataW"],
+            module.parameters["Ports"],
+        )
         for module, unit, path in instances
         if module.base == rtlil.MEMORY
     )
@@ -152,8 +158,15 @@ def summary(machine, modules, configuration, library, seconds):
         "modules": rows,
         "units": units,
         "memories": [
-            {"instance": path, "unit": unit, "words": words, "width": width, "ports": "1R1W", "instances": count}
-            for (path, unit, words, width), count in sorted(
+            {
+                "instance": path,
+                "unit": unit,
+                "words": words,
+                "width": width,
+                "ports": "1RW" if ports == 1 else "1R1W",
+                "instances": count,
+            }
+            for (path, unit, words, width, ports), count in sorted(
                 memories.items(), key=lambda item: item[0][1:2] + item[0][:1]
             )
         ],

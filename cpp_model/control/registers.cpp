@@ -13,7 +13,6 @@ namespace pipegs {
 namespace {
 
 constexpr int kAddressBits = 12;
-constexpr int kMostUnits = 4;  // places for counters: those of a smaller machine lie where the largest has them
 
 uint32_t fnv(std::string_view text, uint32_t hash) {
   for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;

@@ -32,7 +32,7 @@ DopuCounts dopu_window(const Config& config, const Frame& frame, const PackedSce
   for (int step = 0; step < 2 * config.grid; ++step) {
     const int slab = dopu_layer_step(config, camera, step);
     if (slab < 0) continue;
-    for (int n = 0; n < config.grid * config.grid; ++n) {
+    for (int n = 0; n < config.slab_cells(); ++n) {
       const Node& cell = scene.cells[static_cast<size_t>(dopu_layer_cell(config, axis, slab, n))];
       if (cell.count == 0) continue;
       ++counts.cell_tests;

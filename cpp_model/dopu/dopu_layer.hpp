@@ -4,8 +4,8 @@
 // Paper   Sec. 4.1: normalization unit and three-way multiplexer.        RTL  rtl/dopu/dopu_layer.sv
 // Idea    The camera's own slab c = clamp(floor((camera - grid) * grid_scale / 2^WorldW), 0, Grid - 1), then outward:
 //         c, c+1, c-1, c+2, c-2 ... without those outside. A ray leaves c towards one side only, so this is front to
-//         back for every ray of a perspective camera, also for rays that run against the principal axis. Layered 0: the
-//         cells in the order of their table, all in one layer.
+//         back for every ray of a perspective camera, also for rays that run against the principal axis. Without slabs
+//         (Layered 0, or watermarks) the cells in the order of their table, all in one layer.
 #pragma once
 
 #include <algorithm>
@@ -28,7 +28,7 @@ inline int dopu_layer_camera(const Config& config, const Frame& frame, int axis)
 
 // The slab of step 0, 1, 2 ... 2 * Grid - 1 of the walk; -1 for a step that lies outside the grid.
 inline int dopu_layer_step(const Config& config, int camera, int step) {
-  if (!config.layered) return step < config.grid ? step : -1;
+  if (!config.has_slabs()) return step == 0 ? 0 : -1;
   const int slab = step % 2 != 0 ? camera + (step + 1) / 2 : camera - step / 2;
   return slab < 0 || slab >= config.grid ? -1 : slab;
 }
@@ -41,7 +41,7 @@ inline int dopu_layer_of(const Config& config, int axis, int cell) {
 
 // The inverse: cell number `n` of 0 .. Grid^2 - 1 inside a slab; the lower axis counts fastest.
 inline int dopu_layer_cell(const Config& config, int axis, int slab, int n) {
-  if (!config.layered) return slab * config.grid * config.grid + n;
+  if (!config.has_slabs()) return n;
   const int bits = clog2(config.grid), below = n & ((1 << (axis * bits)) - 1), above = n >> (axis * bits);
   return (((above << bits) | slab) << (axis * bits)) | below;
 }

@@ -18,11 +18,11 @@
 #define PIPEGS_VERSION_MINOR 0x0000ffffu /* goes up when something is added */
 #define PIPEGS_VERSION_MAJOR 0xffff0000u /* goes up when a driver has to change */
 #define PIPEGS_VERSION_MAJOR_SHIFT 16
-#define PIPEGS_VERSION_VALUE 0x00020001u
+#define PIPEGS_VERSION_VALUE 0x00030000u
 
 #define PIPEGS_LAYOUT 0x008u /* which table of registers this is */
 #define PIPEGS_LAYOUT_HASH 0xffffffffu /* FNV-1a of all names and places: the driver has the same */
-#define PIPEGS_LAYOUT_VALUE 0x983831c8u
+#define PIPEGS_LAYOUT_VALUE 0x361db30au
 
 #define PIPEGS_CONFIG_HASH 0x00cu /* which machine this is */
 #define PIPEGS_CONFIG_HASH_HASH 0xffffffffu /* FNV-1a of name=value; of every choice in config.def */
@@ -126,6 +126,8 @@
 #define PIPEGS_CONFIG_POINT_OVERFLOW_SHIFT 11
 #define PIPEGS_CONFIG_POINT_SH_DEGREE 0x00030000u /* highest SH degree */
 #define PIPEGS_CONFIG_POINT_SH_DEGREE_SHIFT 16
+#define PIPEGS_CONFIG_POINT_TABLE_CELLS 0xfff00000u /* entries of the table of cells */
+#define PIPEGS_CONFIG_POINT_TABLE_CELLS_SHIFT 20
 
 #define PIPEGS_CONFIG_GAUSSIAN 0x088u /* record of a Gaussian's geometry */
 #define PIPEGS_CONFIG_GAUSSIAN_POS_W 0x000000ffu /* offset of a mean */
@@ -267,7 +269,7 @@
 #define PIPEGS_PICTURE_STRIDE 0x490u
 
 #define PIPEGS_COUNTERS 0x600u /* performance counters */
-#define PIPEGS_COUNTERS_SLOTS 56
+#define PIPEGS_COUNTERS_SLOTS 104
 #define PIPEGS_COUNTERS_CYCLES 0x600u
 #define PIPEGS_COUNTERS_PREPROCESS_CYCLES 0x608u
 #define PIPEGS_COUNTERS_OVERFLOW_LINES 0x610u
@@ -292,38 +294,86 @@
 #define PIPEGS_COUNTERS_PU3_STARVED 0x6a8u
 #define PIPEGS_COUNTERS_PU3_BLOCKED 0x6b0u
 #define PIPEGS_COUNTERS_PU3_MEMORY 0x6b8u
-#define PIPEGS_COUNTERS_SU0_BUSY 0x6c0u
-#define PIPEGS_COUNTERS_SU0_STARVED 0x6c8u
-#define PIPEGS_COUNTERS_SU0_BLOCKED 0x6d0u
-#define PIPEGS_COUNTERS_SU0_MEMORY 0x6d8u
-#define PIPEGS_COUNTERS_SU1_BUSY 0x6e0u
-#define PIPEGS_COUNTERS_SU1_STARVED 0x6e8u
-#define PIPEGS_COUNTERS_SU1_BLOCKED 0x6f0u
-#define PIPEGS_COUNTERS_SU1_MEMORY 0x6f8u
-#define PIPEGS_COUNTERS_SU2_BUSY 0x700u
-#define PIPEGS_COUNTERS_SU2_STARVED 0x708u
-#define PIPEGS_COUNTERS_SU2_BLOCKED 0x710u
-#define PIPEGS_COUNTERS_SU2_MEMORY 0x718u
-#define PIPEGS_COUNTERS_SU3_BUSY 0x720u
-#define PIPEGS_COUNTERS_SU3_STARVED 0x728u
-#define PIPEGS_COUNTERS_SU3_BLOCKED 0x730u
-#define PIPEGS_COUNTERS_SU3_MEMORY 0x738u
-#define PIPEGS_COUNTERS_RU0_BUSY 0x740u
-#define PIPEGS_COUNTERS_RU0_STARVED 0x748u
-#define PIPEGS_COUNTERS_RU0_BLOCKED 0x750u
-#define PIPEGS_COUNTERS_RU0_MEMORY 0x758u
-#define PIPEGS_COUNTERS_RU1_BUSY 0x760u
-#define PIPEGS_COUNTERS_RU1_STARVED 0x768u
-#define PIPEGS_COUNTERS_RU1_BLOCKED 0x770u
-#define PIPEGS_COUNTERS_RU1_MEMORY 0x778u
-#define PIPEGS_COUNTERS_RU2_BUSY 0x780u
-#define PIPEGS_COUNTERS_RU2_STARVED 0x788u
-#define PIPEGS_COUNTERS_RU2_BLOCKED 0x790u
-#define PIPEGS_COUNTERS_RU2_MEMORY 0x798u
-#define PIPEGS_COUNTERS_RU3_BUSY 0x7a0u
-#define PIPEGS_COUNTERS_RU3_STARVED 0x7a8u
-#define PIPEGS_COUNTERS_RU3_BLOCKED 0x7b0u
-#define PIPEGS_COUNTERS_RU3_MEMORY 0x7b8u
+#define PIPEGS_COUNTERS_PU4_BUSY 0x6c0u
+#define PIPEGS_COUNTERS_PU4_STARVED 0x6c8u
+#define PIPEGS_COUNTERS_PU4_BLOCKED 0x6d0u
+#define PIPEGS_COUNTERS_PU4_MEMORY 0x6d8u
+#define PIPEGS_COUNTERS_PU5_BUSY 0x6e0u
+#define PIPEGS_COUNTERS_PU5_STARVED 0x6e8u
+#define PIPEGS_COUNTERS_PU5_BLOCKED 0x6f0u
+#define PIPEGS_COUNTERS_PU5_MEMORY 0x6f8u
+#define PIPEGS_COUNTERS_PU6_BUSY 0x700u
+#define PIPEGS_COUNTERS_PU6_STARVED 0x708u
+#define PIPEGS_COUNTERS_PU6_BLOCKED 0x710u
+#define PIPEGS_COUNTERS_PU6_MEMORY 0x718u
+#define PIPEGS_COUNTERS_PU7_BUSY 0x720u
+#define PIPEGS_COUNTERS_PU7_STARVED 0x728u
+#define PIPEGS_COUNTERS_PU7_BLOCKED 0x730u
+#define PIPEGS_COUNTERS_PU7_MEMORY 0x738u
+#define PIPEGS_COUNTERS_SU0_BUSY 0x740u
+#define PIPEGS_COUNTERS_SU0_STARVED 0x748u
+#define PIPEGS_COUNTERS_SU0_BLOCKED 0x750u
+#define PIPEGS_COUNTERS_SU0_MEMORY 0x758u
+#define PIPEGS_COUNTERS_SU1_BUSY 0x760u
+#define PIPEGS_COUNTERS_SU1_STARVED 0x768u
+#define PIPEGS_COUNTERS_SU1_BLOCKED 0x770u
+#define PIPEGS_COUNTERS_SU1_MEMORY 0x778u
+#define PIPEGS_COUNTERS_SU2_BUSY 0x780u
+#define PIPEGS_COUNTERS_SU2_STARVED 0x788u
+#define PIPEGS_COUNTERS_SU2_BLOCKED 0x790u
+#define PIPEGS_COUNTERS_SU2_MEMORY 0x798u
+#define PIPEGS_COUNTERS_SU3_BUSY 0x7a0u
+#define PIPEGS_COUNTERS_SU3_STARVED 0x7a8u
+#define PIPEGS_COUNTERS_SU3_BLOCKED 0x7b0u
+#define PIPEGS_COUNTERS_SU3_MEMORY 0x7b8u
+#define PIPEGS_COUNTERS_SU4_BUSY 0x7c0u
+#define PIPEGS_COUNTERS_SU4_STARVED 0x7c8u
+#define PIPEGS_COUNTERS_SU4_BLOCKED 0x7d0u
+#define PIPEGS_COUNTERS_SU4_MEMORY 0x7d8u
+#define PIPEGS_COUNTERS_SU5_BUSY 0x7e0u
+#define PIPEGS_COUNTERS_SU5_STARVED 0x7e8u
+#define PIPEGS_COUNTERS_SU5_BLOCKED 0x7f0u
+#define PIPEGS_COUNTERS_SU5_MEMORY 0x7f8u
+#define PIPEGS_COUNTERS_SU6_BUSY 0x800u
+#define PIPEGS_COUNTERS_SU6_STARVED 0x808u
+#define PIPEGS_COUNTERS_SU6_BLOCKED 0x810u
+#define PIPEGS_COUNTERS_SU6_MEMORY 0x818u
+#define PIPEGS_COUNTERS_SU7_BUSY 0x820u
+#define PIPEGS_COUNTERS_SU7_STARVED 0x828u
+#define PIPEGS_COUNTERS_SU7_BLOCKED 0x830u
+#define PIPEGS_COUNTERS_SU7_MEMORY 0x838u
+#define PIPEGS_COUNTERS_RU0_BUSY 0x840u
+#define PIPEGS_COUNTERS_RU0_STARVED 0x848u
+#define PIPEGS_COUNTERS_RU0_BLOCKED 0x850u
+#define PIPEGS_COUNTERS_RU0_MEMORY 0x858u
+#define PIPEGS_COUNTERS_RU1_BUSY 0x860u
+#define PIPEGS_COUNTERS_RU1_STARVED 0x868u
+#define PIPEGS_COUNTERS_RU1_BLOCKED 0x870u
+#define PIPEGS_COUNTERS_RU1_MEMORY 0x878u
+#define PIPEGS_COUNTERS_RU2_BUSY 0x880u
+#define PIPEGS_COUNTERS_RU2_STARVED 0x888u
+#define PIPEGS_COUNTERS_RU2_BLOCKED 0x890u
+#define PIPEGS_COUNTERS_RU2_MEMORY 0x898u
+#define PIPEGS_COUNTERS_RU3_BUSY 0x8a0u
+#define PIPEGS_COUNTERS_RU3_STARVED 0x8a8u
+#define PIPEGS_COUNTERS_RU3_BLOCKED 0x8b0u
+#define PIPEGS_COUNTERS_RU3_MEMORY 0x8b8u
+#define PIPEGS_COUNTERS_RU4_BUSY 0x8c0u
+#define PIPEGS_COUNTERS_RU4_STARVED 0x8c8u
+#define PIPEGS_COUNTERS_RU4_BLOCKED 0x8d0u
+#define PIPEGS_COUNTERS_RU4_MEMORY 0x8d8u
+#define PIPEGS_COUNTERS_RU5_BUSY 0x8e0u
+#define PIPEGS_COUNTERS_RU5_STARVED 0x8e8u
+#define PIPEGS_COUNTERS_RU5_BLOCKED 0x8f0u
+#define PIPEGS_COUNTERS_RU5_MEMORY 0x8f8u
+#define PIPEGS_COUNTERS_RU6_BUSY 0x900u
+#define PIPEGS_COUNTERS_RU6_STARVED 0x908u
+#define PIPEGS_COUNTERS_RU6_BLOCKED 0x910u
+#define PIPEGS_COUNTERS_RU6_MEMORY 0x918u
+#define PIPEGS_COUNTERS_RU7_BUSY 0x920u
+#define PIPEGS_COUNTERS_RU7_STARVED 0x928u
+#define PIPEGS_COUNTERS_RU7_BLOCKED 0x930u
+#define PIPEGS_COUNTERS_RU7_MEMORY 0x938u
 
 /* parameters of the frame, each field of frame_t, in the order of its slots. */
 struct pipegs_frame {
@@ -424,6 +474,22 @@ struct pipegs_counters {
   uint64_t pu3_starved; /* pu3: it had nothing to do */
   uint64_t pu3_blocked; /* pu3: its output or a buffer was full */
   uint64_t pu3_memory; /* pu3: it waited for memory */
+  uint64_t pu4_busy; /* pu4: it worked */
+  uint64_t pu4_starved; /* pu4: it had nothing to do */
+  uint64_t pu4_blocked; /* pu4: its output or a buffer was full */
+  uint64_t pu4_memory; /* pu4: it waited for memory */
+  uint64_t pu5_busy; /* pu5: it worked */
+  uint64_t pu5_starved; /* pu5: it had nothing to do */
+  uint64_t pu5_blocked; /* pu5: its output or a buffer was full */
+  uint64_t pu5_memory; /* pu5: it waited for memory */
+  uint64_t pu6_busy; /* pu6: it worked */
+  uint64_t pu6_starved; /* pu6: it had nothing to do */
+  uint64_t pu6_blocked; /* pu6: its output or a buffer was full */
+  uint64_t pu6_memory; /* pu6: it waited for memory */
+  uint64_t pu7_busy; /* pu7: it worked */
+  uint64_t pu7_starved; /* pu7: it had nothing to do */
+  uint64_t pu7_blocked; /* pu7: its output or a buffer was full */
+  uint64_t pu7_memory; /* pu7: it waited for memory */
   uint64_t su0_busy; /* su0: it worked */
   uint64_t su0_starved; /* su0: it had nothing to do */
   uint64_t su0_blocked; /* su0: its output or a buffer was full */
@@ -440,6 +506,22 @@ struct pipegs_counters {
   uint64_t su3_starved; /* su3: it had nothing to do */
   uint64_t su3_blocked; /* su3: its output or a buffer was full */
   uint64_t su3_memory; /* su3: it waited for memory */
+  uint64_t su4_busy; /* su4: it worked */
+  uint64_t su4_starved; /* su4: it had nothing to do */
+  uint64_t su4_blocked; /* su4: its output or a buffer was full */
+  uint64_t su4_memory; /* su4: it waited for memory */
+  uint64_t su5_busy; /* su5: it worked */
+  uint64_t su5_starved; /* su5: it had nothing to do */
+  uint64_t su5_blocked; /* su5: its output or a buffer was full */
+  uint64_t su5_memory; /* su5: it waited for memory */
+  uint64_t su6_busy; /* su6: it worked */
+  uint64_t su6_starved; /* su6: it had nothing to do */
+  uint64_t su6_blocked; /* su6: its output or a buffer was full */
+  uint64_t su6_memory; /* su6: it waited for memory */
+  uint64_t su7_busy; /* su7: it worked */
+  uint64_t su7_starved; /* su7: it had nothing to do */
+  uint64_t su7_blocked; /* su7: its output or a buffer was full */
+  uint64_t su7_memory; /* su7: it waited for memory */
   uint64_t ru0_busy; /* ru0: it worked */
   uint64_t ru0_starved; /* ru0: it had nothing to do */
   uint64_t ru0_blocked; /* ru0: its output or a buffer was full */
@@ -456,6 +538,22 @@ struct pipegs_counters {
   uint64_t ru3_starved; /* ru3: it had nothing to do */
   uint64_t ru3_blocked; /* ru3: its output or a buffer was full */
   uint64_t ru3_memory; /* ru3: it waited for memory */
+  uint64_t ru4_busy; /* ru4: it worked */
+  uint64_t ru4_starved; /* ru4: it had nothing to do */
+  uint64_t ru4_blocked; /* ru4: its output or a buffer was full */
+  uint64_t ru4_memory; /* ru4: it waited for memory */
+  uint64_t ru5_busy; /* ru5: it worked */
+  uint64_t ru5_starved; /* ru5: it had nothing to do */
+  uint64_t ru5_blocked; /* ru5: its output or a buffer was full */
+  uint64_t ru5_memory; /* ru5: it waited for memory */
+  uint64_t ru6_busy; /* ru6: it worked */
+  uint64_t ru6_starved; /* ru6: it had nothing to do */
+  uint64_t ru6_blocked; /* ru6: its output or a buffer was full */
+  uint64_t ru6_memory; /* ru6: it waited for memory */
+  uint64_t ru7_busy; /* ru7: it worked */
+  uint64_t ru7_starved; /* ru7: it had nothing to do */
+  uint64_t ru7_blocked; /* ru7: its output or a buffer was full */
+  uint64_t ru7_memory; /* ru7: it waited for memory */
 };
 
 /* CAUSE(NAME, bit, what) for each bit of PIPEGS_ERROR. */
@@ -486,6 +584,7 @@ struct pipegs_configuration {
   uint32_t tight_boxes; /* 1: a node holds the box around its ellipsoids */
   uint32_t overflow; /* 1: the overflow area is used */
   uint32_t sh_degree; /* highest SH degree */
+  uint32_t table_cells; /* entries of the table of cells */
   uint32_t pos_w; /* offset of a mean */
   uint32_t quat_w; /* quaternion component */
   uint32_t scale_m_w; /* mantissa of a scale */
@@ -535,6 +634,7 @@ struct pipegs_configuration {
   FIELD(tight_boxes, PIPEGS_CONFIG_POINT, 10, 1) \
   FIELD(overflow, PIPEGS_CONFIG_POINT, 11, 1) \
   FIELD(sh_degree, PIPEGS_CONFIG_POINT, 16, 2) \
+  FIELD(table_cells, PIPEGS_CONFIG_POINT, 20, 12) \
   FIELD(pos_w, PIPEGS_CONFIG_GAUSSIAN, 0, 8) \
   FIELD(quat_w, PIPEGS_CONFIG_GAUSSIAN, 8, 8) \
   FIELD(scale_m_w, PIPEGS_CONFIG_GAUSSIAN, 16, 8) \

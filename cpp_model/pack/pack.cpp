@@ -12,6 +12,7 @@
 
 #include "cpp_model/fixed.hpp"
 #include "cpp_model/float/parallel.hpp"
+#include "cpp_model/pack/pack_cells.hpp"
 #include "cpp_model/pack/pack_nodes.hpp"
 #include "cpp_model/pack/pack_order.hpp"
 #include "cpp_model/pack/pack_quantize.hpp"
@@ -237,6 +238,9 @@ void fill_nodes(const Scene& scene, PackedScene& packed) {
     }
   };
   fill_parents(packed.groups, packed.chunks);
+  if (packed.config.has_watermarks()) {
+    packed.cells = cell_table(packed.cells, packed.groups, static_cast<size_t>(packed.config.table_cells()));
+  }
   fill_parents(packed.cells, packed.groups);
 }
 

@@ -21,7 +21,7 @@ from texts import (
 RTL = ("rtl", "models", "memory")
 MODEL = ("models", "timing", "memory", "cost")
 PRICED = (*MODEL, "area")  # with areas and energies
-POINTS = ("gscore", "baseline", "dpc", "tspp", "dop", "late", "exact", "fast")
+POINTS = ("gscore", "baseline", "dpc", "tspp", "dop", "late", "exact", "fast", "wide")
 
 
 # Tables: as many entries in a line as fit.
@@ -42,10 +42,10 @@ STORES = {  # of the design point dop: its alpha stores
 ADDED = {  # from exact towards fast: what each step adds to the one before
     "fine_quads": ("the numbers of `sim/fine.cfg`, living quads", "--config sim/fine.cfg --set quads=1"),
     "window128": ("windows of four parts", "--set window=128"),
-    "buckets": ("buckets of 1/64 octave", "--set bucket_bits=6"),
+    "buckets": ("buckets of 1/128 octave", "--set bucket_bits=7"),
     "tests2": ("two tests of regions in a cycle", "--set tests=2"),
     "tight": ("a cull by the ellipse itself", "--set tight_cull=1"),
-    "fronts": ("one of the four PUs fetches and culls", "--set fronts=1"),
+    "fronts": ("two of the four PUs fetch and cull", "--set fronts=2"),
     "boxes": ("boxes around ellipsoids in the DOPU, groups of 16 chunks", "--set tight_boxes=1 --set group=16"),
     "pace": ("a Gaussian every four cycles", "--set pace=4"),
     "occlusion": ("nothing behind what is opaque", "--set occlusion=1"),
@@ -57,17 +57,22 @@ LEFT_OUT = {  # of fast: what each of its steps towards large scenes gives, by t
     "whole": "--walk-most 0",
     "occlusion": "--set occlusion=0",
     "pace": "--set pace=8",
-    "fronts": "--set fronts=2",
+    "fronts": "--set fronts=1",
+    "buckets": "--set bucket_bits=6",
 }
 GAINED = ("own", "statue", "showroom", "campsite")
+# What area and energy these steps cost, and what was tried beside them.
+TRADED = ("occlusion=0", "pace=8", "fronts=1", "bucket_bits=6", "nearest_nodes=512", "records=2048", "fronts=4")
+TRADED_SETS = " ".join(f"--set {one}" for one in TRADED)
+EIGHT = ("own", "terrace", "showroom", "campsite")  # of wide, on eight channels
 SCALED = {  # our own scene in parts, and the view: millions of Gaussians, then pixels
     **{f"{millions}m": (f"own_{millions}m", 0) for millions in (1, 4, 16)},
     "4k": ("own_1m", VIEWS_OF_SIZE * SIZES.index("3840x2160")),
 }
 MEMORIES = {  # settings of the design point
     "dop": "",
-    "fast": "fronts=1 window=128 group=16 late=1 order=2 quads=1 pos_w=18 base_w=14 mantissa_w=22 coeff_f=24 "
-            "tight_cull=1 tight_boxes=1 occlusion=1 tests=2 pace=4 alpha_w=10 pixel_w=32 records=1408 bucket_bits=6 "
+    "fast": "fronts=2 window=128 group=16 late=1 order=2 quads=1 pos_w=18 base_w=14 mantissa_w=22 coeff_f=24 "
+            "tight_cull=1 tight_boxes=1 occlusion=1 tests=2 pace=4 alpha_w=10 pixel_w=32 records=1408 bucket_bits=7 "
             "nearest_nodes=1024 mark_chunks=7",
 }
 BY_BANDWIDTH = ("baseline", "dop", "exact", "fast")
@@ -92,6 +97,8 @@ TABLE = [
                   scene, points=("fast",)) for bits in BUSES for scene in BUSY],
     *[Measurement(f"gains/{scene}_{name}", f"build/pipegs model {{scene}} --design fast {change} --json", MODEL, scene,
                   points=("fast",)) for name, change in LEFT_OUT.items() for scene in GAINED],
+    *[Measurement(f"wide/{scene}", "build/pipegs model {scene} --design wide --memory lpddr5-6400x8 --json", MODEL,
+                  scene, points=("wide",)) for scene in EIGHT],
     *[Measurement(f"walks/{scene}", f"build/pipegs sim {{scene}} --design fast --path {FRAMES} --no-rtl --frames none "
                   f"--out paths/{scene} --json", (*PRICED, "path"), scene, None, ("fast",)) for scene in CHARTED],
     *[Measurement(f"scale/sim_{name}", "build/pipegs sim {scene} --design fast --no-rtl --json", ("models",), scene,
@@ -107,6 +114,8 @@ TABLE = [
                   exit_codes=(0, 1)) for scene in ("terrace", "statue", "plushdog")],
     Measurement("what_if/own", "build/pipegs what-if --set units=2 --set bus_w=128 --set alpha_w=8,window=64", PRICED,
                 points=("fast",), read=shown),
+    *[Measurement(f"prices/{scene}", f"build/pipegs what-if {{scene}} {TRADED_SETS} --json", PRICED,
+                  scene, points=("fast",)) for scene in ("own", "showroom")],
     Measurement("shapes/own", "build/pipegs study shapes --design fast --runs 24 --json", PRICED, points=("fast",),
                 chart="shapes_own.svg"),
     Measurement("accuracy/own", f"build/pipegs accuracy --design exact --knobs {','.join(KNOBS)} --points 0 "
@@ -135,6 +144,8 @@ TABLE = [
                   points=(point,)) for point in ("fast", "dop")],
     *[Measurement(f"rtl/{scene}_fast", "build/pipegs sim {scene} --design fast --no-truth --json", RTL, scene,
                   points=("fast",)) for scene in SIX if scene != "terrace"],
+    Measurement("rtl/terrace_wide", "build/pipegs sim {scene} --design wide --memory lpddr5-6400x8 --no-truth --json",
+                RTL, "terrace", points=("wide",)),
     Measurement("rtl/own_raster", "build/pipegs sim --design fast --no-truth --picture raster --json", RTL,
                 points=("fast",)),
     Measurement("rtl/views", "build/pipegs sim --views 0-2 --json", RTL, view=None, points=("fast",)),
@@ -146,6 +157,8 @@ TABLE = [
     *[Measurement(f"silicon/{scene}_{point}", f"build/pipegs silicon {{scene}} --design {point} --json",
                   (*RTL, "silicon", "synth"), scene, points=(point,)) for point in ("fast", "dop", "exact", "baseline")
       for scene in CHARTED],
+    Measurement("silicon/terrace_wide", "build/pipegs silicon {scene} --design wide --memory lpddr5-6400x8 --json",
+                (*RTL, "silicon", "synth"), "terrace", points=("wide",)),
     Measurement("silicon/dop_sky130", "build/pipegs silicon --design dop --library sky130hd_tt --no-energy --json",
                 ("rtl", "synth"), points=("dop",)),
     *[Measurement(f"memories/{name}", f"synth/memories.sh {settings}".rstrip(), ("rtl", "models"),

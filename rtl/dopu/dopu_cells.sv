@@ -3,15 +3,17 @@
 //
 // Paper   Sec. 3.2 (orthogonal grid), Sec. 4.1.
 // Idea    The table is read once per frame, two cells per line, up to eight lines at a time; every window walks it
-//         again from the SRAM. Empty cells cost one cycle. After a slab comes a layer end, after the last slab a window
-//         end. A window that is done has only that. Layered 0: no slab has an end. A table that has too few lines is
+//         again from the SRAM. Empty cells cost one cycle. After a slab comes a layer end, after the last slab (without
+//         slabs, after the table) a window end. A window that is done has only that. A table that has too few lines is
 //         not read (bad_o).
 // Stream  cell out: a cell to test, or an end; with the set of planes that it belongs to.
 // Pace    One cell per cycle.
 // Model   cpp_model/dopu/dopu.hpp (the outer loops)
 
 module dopu_cells #(
-  localparam int unsigned GridW = pipegs_pkg::Grid > 1 ? $clog2(pipegs_pkg::Grid) : 1
+  localparam int unsigned GridW = pipegs_pkg::Grid > 1 ? $clog2(pipegs_pkg::Grid) : 1,
+  localparam int unsigned NumberW = pipegs_pkg::SlabCells > 1 ? $clog2(pipegs_pkg::SlabCells) : 1,
+  localparam int unsigned CellW = pipegs_pkg::TableCells > 1 ? $clog2(pipegs_pkg::TableCells) : 1
 ) (
   input  logic                            clk_i,
   input  logic                            rst_ni,
@@ -31,8 +33,8 @@ module dopu_cells #(
   input  logic                            layer_ready_i,  // to and from dopu_layer
   output logic [GridW:0]                  step_o,
   input  logic                            inside_i,
-  output logic [2*GridW-1:0]              number_o,
-  input  logic [3*GridW-1:0]              cell_i,
+  output logic [NumberW-1:0]              number_o,
+  input  logic [CellW-1:0]                cell_i,
 
   input  logic [1:0]                      set_valid_i,    // from dopu_windows
   input  logic [1:0]                      set_last_i,
@@ -50,25 +52,25 @@ module dopu_cells #(
 
   localparam int unsigned NodeBits = pipegs_pkg::NodeBits;
   localparam int unsigned BurstW = pipegs_pkg::BurstW;
-  localparam int unsigned CellW = 3 * GridW;
-  localparam int unsigned Cells = pipegs_pkg::Grid * pipegs_pkg::Grid * pipegs_pkg::Grid;
-  localparam int unsigned TableLines = (Cells + 1) / 2;
+  localparam int unsigned TableLines = (pipegs_pkg::TableCells + 1) / 2;
   localparam int unsigned TableW = CellW > 1 ? CellW - 1 : 1;
   localparam int unsigned LinesW = $clog2(TableLines + 1);
-  localparam logic [2*GridW-1:0] LastNumber = (2*GridW)'(pipegs_pkg::Grid * pipegs_pkg::Grid - 1);
-  localparam logic [GridW-1:0] LastLayer = GridW'(pipegs_pkg::Grid - 1);
+  localparam logic [NumberW-1:0] LastNumber = NumberW'(pipegs_pkg::SlabCells - 1);
+  localparam logic [GridW-1:0] LastLayer = GridW'(pipegs_pkg::Slabs - 1);
 
   // --- load, once per frame -----------------------------------------------------------------------------------------
   logic [LinesW-1:0]               to_ask_q, to_come_q;
   logic [BurstW-1:0]               rest;  // lines of the aligned group of eight behind the present one
   logic [pipegs_pkg::AddressW-1:0] address_q;
   logic [TableW-1:0]                write_line_q;
-  logic                            answer, whole;
+  logic                            asks_q;  // of to_ask_q: whether the memory is asked leads into its arbiter
+  logic                            answer, whole, asked;
 
   assign loading_o     = to_come_q != '0;
   assign answer        = rsp_valid_i && loading_o;
   assign whole         = cells_i.lines >= pipegs_pkg::AddressW'(TableLines);
-  assign mem_valid_o   = to_ask_q != '0 && whole;
+  assign mem_valid_o   = asks_q;
+  assign asked         = mem_valid_o && mem_ready_i;
   assign bad_o         = to_ask_q != '0 && !whole;
   assign mem_address_o = address_q;
   assign rest          = ~address_q[BurstW-1:0];
@@ -76,13 +78,18 @@ module dopu_cells #(
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
+      asks_q    <= 1'b0;
       to_ask_q  <= '0;
       to_come_q <= '0;
     end else if (start_i) begin
+      asks_q    <= whole;
       to_ask_q  <= LinesW'(TableLines);
       to_come_q <= LinesW'(TableLines);
     end else begin
-      if (mem_valid_o && mem_ready_i) to_ask_q <= to_ask_q - LinesW'(mem_lines_o) - 1'b1;
+      if (asked) begin
+        asks_q   <= 32'(to_ask_q) > 32'(rest) + 32'd1;
+        to_ask_q <= to_ask_q - LinesW'(mem_lines_o) - 1'b1;
+      end
       if (answer) to_come_q <= to_come_q - 1'b1;
     end
   end
@@ -91,7 +98,7 @@ module dopu_cells #(
       address_q    <= cells_i.first;
       write_line_q <= '0;
     end else begin
-      if (mem_valid_o && mem_ready_i) address_q <= address_q + pipegs_pkg::AddressW'(mem_lines_o) + 1'b1;
+      if (asked) address_q <= address_q + pipegs_pkg::AddressW'(mem_lines_o) + 1'b1;
       if (answer) write_line_q <= write_line_q + 1'b1;
     end
   end
@@ -102,7 +109,7 @@ module dopu_cells #(
   logic                 set_q;                // the set of planes of the window walked
   logic [GridW:0]       step_q;
   logic [GridW-1:0]     layer_q;              // slabs of this window walked
-  logic [2*GridW-1:0]   number_q;
+  logic [NumberW-1:0]   number_q;
   logic                 end_next_q;           // the next item is the slab's end
   logic                 item_valid_q, item_half_q, item_set_q;
   logic [pipegs_pkg::KindW-1:0] item_kind_q, kind_next;
@@ -115,7 +122,7 @@ module dopu_cells #(
   assign window_end = layer_q == LastLayer || set_done_i[set_q];
   assign kind_next  = !is_end ? pipegs_pkg::KindData
                     : window_end ? pipegs_pkg::KindWindowEnd : pipegs_pkg::KindLayerEnd;
-  // An item moves on when it is taken, and at once when it is an empty cell or, without layers, a slab's end.
+  // An item moves on when it is taken, and at once when it is an empty cell.
   assign advance    = !item_valid_q || (cell_valid_o ? cell_ready_i : 1'b1);
   assign read       = run && advance && (inside_i || set_done_i[set_q]);
   assign finished   = read && is_end && window_end;
@@ -164,7 +171,7 @@ module dopu_cells #(
     end
   end
 
-  pipegs_sram #(.DataW(2 * NodeBits), .Depth(2 ** TableW)) u_table (
+  pipegs_sram #(.DataW(2 * NodeBits), .Depth(2 ** TableW), .Ports(1)) u_table (
     .clk_i,
     .write_i(answer),
     .waddr_i(write_line_q),
@@ -175,8 +182,7 @@ module dopu_cells #(
   );
 
   assign item         = item_half_q ? line[2*NodeBits-1:NodeBits] : line[NodeBits-1:0];
-  assign is_shown     = item_kind_q == pipegs_pkg::KindData ? item.count != '0 :
-                        pipegs_pkg::Layered != 0 || item_kind_q == pipegs_pkg::KindWindowEnd;
+  assign is_shown     = item_kind_q != pipegs_pkg::KindData || item.count != '0;
   assign cell_valid_o = item_valid_q && is_shown;
   assign kind_o       = item_kind_q;
   assign set_o        = item_set_q;

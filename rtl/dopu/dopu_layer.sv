@@ -4,14 +4,16 @@
 // Paper   Sec. 4.1: normalization unit and three-way multiplexer.
 // Idea    camera slab c = clamp(floor((camera - low) * scale / 2^WorldW), 0, Grid - 1), one bit of scale per cycle,
 //         once a frame. Step s of the walk is slab c + (s+1)/2 or c - s/2: c, c+1, c-1, c+2 ... front to back for every
-//         ray. Cell = slab and two other coordinates, put in order by the axis. Layered 0: the cells in the order of
-//         their table; nothing is known of the camera.
+//         ray. Cell = slab and two other coordinates, put in order by the axis. Without slabs: the cells in the order
+//         of their table; nothing is known of the camera.
 // Stream  start_i for one cycle; ready_o when the camera's slab is known. Then step_i, number_i -> slab, cell at once.
 // Pace    FocalW + 2 cycles a frame.
 // Model   cpp_model/dopu/dopu_layer.hpp
 
 module dopu_layer #(
-  localparam int unsigned GridW = pipegs_pkg::Grid > 1 ? $clog2(pipegs_pkg::Grid) : 1
+  localparam int unsigned GridW = pipegs_pkg::Grid > 1 ? $clog2(pipegs_pkg::Grid) : 1,
+  localparam int unsigned NumberW = pipegs_pkg::SlabCells > 1 ? $clog2(pipegs_pkg::SlabCells) : 1,
+  localparam int unsigned CellW = pipegs_pkg::TableCells > 1 ? $clog2(pipegs_pkg::TableCells) : 1
 ) (
   input  logic                                clk_i,
   input  logic                                rst_ni,
@@ -24,11 +26,11 @@ module dopu_layer #(
 
   input  logic [GridW:0]                      step_i,
   output logic                                inside_o,  // the step's slab lies in the grid
-  input  logic [2*GridW-1:0]                  number_i,  // cell in the slab, lower axis fastest
-  output logic [3*GridW-1:0]                  cell_o
+  input  logic [NumberW-1:0]                  number_i,  // cell in the slab, lower axis fastest
+  output logic [CellW-1:0]                    cell_o
 );
 
-  if (pipegs_pkg::Layered != 0) begin : gen_slabs
+  if (pipegs_pkg::HasSlabs) begin : gen_slabs
     localparam int unsigned WorldW = pipegs_pkg::WorldW;
     localparam int unsigned FocalW = pipegs_pkg::FocalW;
     localparam int unsigned SumW = WorldW + FocalW;
@@ -88,19 +90,19 @@ module dopu_layer #(
     assign distance    = (GridW+2)'((step_i + 1'b1) >> 1);  // (s+1)/2; for an even step the same as s/2
     assign slab        = step_i[0] ? camera_slab + distance : camera_slab - distance;
     assign inside_o    = slab >= 0 && slab < (GridW+2)'(pipegs_pkg::Grid);
-    assign {second, first} = number_i;
+    assign {second, first} = (2*GridW)'(number_i);
 
     always_comb begin
       case (axis_i)
-        2'd0: cell_o = {second, first, slab[GridW-1:0]};
-        2'd1: cell_o = {second, slab[GridW-1:0], first};
-        default: cell_o = {slab[GridW-1:0], second, first};
+        2'd0: cell_o = CellW'({second, first, slab[GridW-1:0]});
+        2'd1: cell_o = CellW'({second, slab[GridW-1:0], first});
+        default: cell_o = CellW'({slab[GridW-1:0], second, first});
       endcase
     end
   end else begin : gen_table
     assign ready_o  = 1'b1;
-    assign inside_o = step_i < (GridW+1)'(pipegs_pkg::Grid);
-    assign cell_o   = {step_i[GridW-1:0], number_i};
+    assign inside_o = 1'b1;
+    assign cell_o   = number_i;
     logic unused_inputs;
     assign unused_inputs = &{1'b0, clk_i, rst_ni, start_i, axis_i, position_i, grid_i, step_i};
   end

@@ -47,13 +47,15 @@ module pipegs_dopu (
   localparam int unsigned KindW    = pipegs_pkg::KindW;
   localparam int unsigned PlaceW   = pipegs_pkg::PlaceW;
   localparam int unsigned GridW    = pipegs_pkg::Grid > 1 ? $clog2(pipegs_pkg::Grid) : 1;
+  localparam int unsigned NumberW  = pipegs_pkg::SlabCells > 1 ? $clog2(pipegs_pkg::SlabCells) : 1;
+  localparam int unsigned CellW    = pipegs_pkg::TableCells > 1 ? $clog2(pipegs_pkg::TableCells) : 1;
 
   // --- the order of the slabs ---------------------------------------------------------------------------------------
   logic [1:0]         axis;
   logic               layer_ready, in_grid;
   logic [GridW:0]     step;
-  logic [2*GridW-1:0] number;
-  logic [3*GridW-1:0] cell_number;
+  logic [NumberW-1:0] number;
+  logic [CellW-1:0]   cell_number;
 
   dopu_axis u_axis (
     .forward_x_i(frame_i.camera.rotation.w20),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// pipegs_sram: the only place where memory is made: one write port and one synchronous read port.
+// pipegs_sram: the only place where memory is made: one write port and one synchronous read port, or one for both.
 //
 // Idea    Everything that stores more than a handful of words instantiates this module, so that synthesis counts
 //         the macros in one place and a technology replaces them in one place. A handful of words is flip-flops:
@@ -7,13 +7,16 @@
 // Stream  write_i stores wdata_i at waddr_i. read_i fetches raddr_i; rdata_o shows it from the next cycle on and holds
 //         it until the next read. What a read of the word shows that is written in the same cycle is not promised, nor
 //         what a word holds that was never written, nor rdata_o before the first read. There is no reset.
-// Pace    One write and one read per cycle.
+//         With Ports 1 no cycle has both: the macro has one port, at waddr_i or raddr_i, and half the area. A write
+//         leaves rdata_o as it is there, too.
+// Pace    One write and one read per cycle; with Ports 1 one of them.
 // Model   An array. In simulation what is not promised is noise, with the run's seed: words and registers start from it
 //         (X where a simulator has four states), and a collision shows other noise each time.
 
 module pipegs_sram #(
   parameter int unsigned DataW = 32,
   parameter int unsigned Depth = 64,
+  parameter int unsigned Ports = 2,
   localparam int unsigned AddrW = Depth > 1 ? $clog2(Depth) : 1
 ) (
   input  logic             clk_i,
@@ -45,5 +48,9 @@ module pipegs_sram #(
     end
 `endif
   end
+
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i) assert (Ports == 2 || !(read_i && write_i));
+`endif
 
 endmodule

@@ -108,7 +108,7 @@ module pipegs_su (
   );
 
   // --- the stores ---------------------------------------------------------------------------------------------------
-  logic                     sort_read, sort_claim, sort_write, payload_read;
+  logic                     sort_read, sort_claim, sort_write, payload_busy, payload_read;
   logic [RecordW-1:0]       sort_slot, sort_write_slot, sort_write_link, stored_link, payload_slot;
   logic [KeyW-1:0]          stored_key;
   logic [SplatBits-pipegs_pkg::KindW-KeyW-1:0] payload;
@@ -116,6 +116,7 @@ module pipegs_su (
 
   su_stores u_stores (
     .clk_i,
+    .rst_ni,
     .write_i(write),
     .slot_i(slot),
     .record_i(record),
@@ -132,6 +133,7 @@ module pipegs_su (
     .split_slot_i(sort_slot),
     .split_key_o(stored_key),
     .split_link_o(stored_link),
+    .busy_o(payload_busy),
     .payload_read_i(payload_read),
     .payload_slot_i(payload_slot),
     .payload_o(payload)
@@ -203,6 +205,7 @@ module pipegs_su (
     .line_valid_i(line_valid),
     .line_ready_o(line_ready),
     .line_i(line),
+    .record_busy_i(payload_busy),
     .record_read_o(payload_read),
     .record_slot_o(payload_slot),
     .record_i(payload),

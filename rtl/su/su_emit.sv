@@ -9,7 +9,8 @@
 //         next set may overwrite.
 // Stream  item: keys with slots in order, or an end with its kind as slot. out: splats. free: a slot whose record was
 //         read.
-// Pace    One splat per cycle; of a set that spilled one in three cycles, or as fast as the memory takes requests.
+// Pace    One splat per cycle, none behind a write into the pool; of a set that spilled one in three cycles, or as fast
+//         as the memory takes requests.
 // Model   Plumbing; the whole SU is tested against cpp_model/su/su.hpp.
 
 module su_emit (
@@ -34,6 +35,7 @@ module su_emit (
   output logic                            line_ready_o,
   input  logic [pipegs_pkg::SplatBits-1:0] line_i,
 
+  input  logic                            record_busy_i,  // nothing is read of the pool
   output logic                            record_read_o,
   output logic [pipegs_pkg::RecordW-1:0]  record_slot_o,
   input  logic [pipegs_pkg::SplatBits-pipegs_pkg::KeyW-pipegs_pkg::KindW-1:0] record_i,
@@ -60,7 +62,7 @@ module su_emit (
   logic [NumberW-1:0] number, read_line_q;
   assign number       = record_i[NumberW-1:0];
   assign outside      = pipegs_pkg::Overflow != 0 && spilled_i && !item_end_i;
-  assign look         = item_valid_i && outside && !looked_q;
+  assign look         = item_valid_i && outside && !looked_q && !record_busy_i;
   assign known        = !outside || looked_q;
   assign read_valid_o = ask_q;
   assign read_line_o  = read_line_q;
@@ -95,7 +97,7 @@ module su_emit (
     .count_o(waiting)
   );
   assign {head_kind, head_outside, head_slot, head_key} = head;
-  assign head_ready    = !valid_q || sent;
+  assign head_ready    = (!valid_q || sent) && !record_busy_i;
   assign fetch         = head_valid && head_ready && head_kind == pipegs_pkg::KindData && !head_outside;
   assign record_read_o = look || fetch;
   assign record_slot_o = look ? item_slot_i : head_slot;
@@ -115,7 +117,7 @@ module su_emit (
   assign free_slot_o  = head_slot;
   assign empty_o      = waiting == '0 && !valid_q;
   assign active_o     = item_go || look || read_ready_i || sent || (head_valid && head_ready) ||
-                        (waiting != '0 && !head_valid);
+                        (waiting != '0 && !head_valid) || record_busy_i;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
@@ -123,9 +125,9 @@ module su_emit (
       ask_q    <= 1'b0;
       valid_q  <= 1'b0;
     end else begin
-      looked_q <= item_valid_i && outside && !item_go;
+      looked_q <= item_valid_i && outside && (look || looked_q) && !item_go;
       ask_q    <= (item_go && outside && !keep_i) || (ask_q && !read_ready_i);
-      if (head_ready) valid_q <= head_valid;
+      if (!valid_q || sent) valid_q <= head_valid && head_ready;
     end
   end
 

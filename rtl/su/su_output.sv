@@ -40,7 +40,8 @@ module su_output #(
   output logic                     line_ready_o,
   input  logic [SplatBits-1:0]     line_i,
 
-  output logic                     record_read_o,   // of the stores
+  input  logic                     record_busy_i,   // of the stores
+  output logic                     record_read_o,
   output logic [RecordW-1:0]       record_slot_o,
   input  logic [PayloadW-1:0]      record_i,
   output logic                     free_o,
@@ -84,6 +85,7 @@ module su_output #(
     .line_valid_i,
     .line_ready_o,
     .line_i,
+    .record_busy_i,
     .record_read_o,
     .record_slot_o,
     .record_i,

@@ -80,7 +80,7 @@ void ViewArguments::add(CLI::App& app, DesignPoints which) {
   cameras.add(app);
   add_integer(app, "--view", view, "which camera of the file or of the orbit, counted from 0", 0).shows_default();
   add_place(app, "--window", window,
-            "only this window (pixels of `fast` 128x128, of gscore 16x16, of the others 64x64)");
+            "only this window (pixels of fast and wide 128x128, of gscore 16x16, of the others 64x64)");
   if (which != DesignPoints::kSeveral) add_design(app);
   if (which == DesignPoints::kSeveral || which == DesignPoints::kOneOrSeveral) {
     const char* otherwise = which == DesignPoints::kSeveral ? "all of them without it" : "instead of --design";

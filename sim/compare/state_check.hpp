@@ -47,9 +47,9 @@ class StateCheck final : public RtlTaps {
   void finish(const RtlResult& counters);
 
  private:
-  static constexpr size_t kKinds = 4, kUnits = 4, kStates = 4;  // units of a kind at most
-  static constexpr uint64_t kKept = 8;                          // cycles that are looked back at
-  static constexpr int64_t kNone = -1;                          // before the first one
+  static constexpr size_t kKinds = 4, kUnits = kMostUnits, kStates = 4;  // units of a kind at most
+  static constexpr uint64_t kKept = 8;                                   // cycles that are looked back at
+  static constexpr int64_t kNone = -1;                                   // before the first one
   struct Cycle {
     int64_t number = kNone;
     std::array<uint8_t, 1 + (kKinds - 1) * kUnits> states;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// design_point.hpp: the machines that have a name: the design points of the paper's ladder (Fig. 8, 9) and three of our
+// design_point.hpp: the machines that have a name: the design points of the paper's ladder (Fig. 8, 9) and four of our
 // own, as configurations of the one machine. design_points.def is the table.
 //
 // Idea    A design point says what is computed where, and in which order: the entries `late`, `order` and `quadratic`

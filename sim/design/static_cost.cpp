@@ -13,8 +13,8 @@ constexpr int kLanes = 16;  // of an RU: the paper's Rendering Units, Table 2
 int power_of_two(int n) { return 1 << clog2(n); }
 
 void add_buffers(const Config& c, StaticCost& cost) {
-  const auto add = [&](const char* buffer, const char* purpose, int width, int depth, int count) {
-    cost.buffers.push_back({buffer, purpose, width, depth, count});
+  const auto add = [&](const char* buffer, const char* purpose, int width, int depth, int count, int ports = 2) {
+    cost.buffers.push_back({buffer, purpose, width, depth, count, ports});
   };
   const int units = c.units, splat = record_width<Splat>(c), memory = c.memory_w();
   if (c.has_stores()) {
@@ -25,10 +25,10 @@ void add_buffers(const Config& c, StaticCost& cost) {
   const int halves = c.quads ? 1 : 2;  // of the pixels: lanes of living quads hand them over region by region
   add("RU u_pixels", "pixels", c.tap_word_w(), c.regions() / units * 4, halves * units * c.tap_lanes());
 
-  add("SU u_records", "records", splat - c.key_w() - c.kind_w(), c.records, units);
+  add("SU u_records", "records", splat - c.key_w() - c.kind_w(), c.records, units, 1);
   add("SU u_keys", "records", c.key_w(), c.records, units);
   const int low = (c.bucket_w() + 1) / 2;  // a bucket is {word, bit}
-  add("SU u_buckets.u_table", "sorter", 3 * c.record_w() + 1, 2 << c.bucket_w(), units);
+  add("SU u_buckets.u_table", "sorter", 3 * c.record_w() + 1, 2 << c.bucket_w(), units, 1);
   add("SU u_buckets.u_words", "sorter", 1 << low, 2 << (c.bucket_w() - low), units);
   add("SU u_slots.u_back", "sorter", c.record_w(), c.records, units);
   add("SU u_marks", "sorter", 3 + c.kind_w() + c.bucket_w(), c.su_marks(), units);
@@ -36,7 +36,7 @@ void add_buffers(const Config& c, StaticCost& cost) {
   add("SU u_links", "sorter", c.record_w(), c.records, units);
   const int stack = c.records / 8 + c.key_w() / 4 + 2;  // groups that may wait
   if (c.large_groups)
-    add("SU u_split.u_stack", "sorter", 2 * c.record_w() + 1 + clog2(c.key_w()), power_of_two(stack + 1), units);
+    add("SU u_split.u_stack", "sorter", 2 * c.record_w() + 1 + clog2(c.key_w()), power_of_two(stack + 1), units, 1);
   add("SU u_emit.u_waiting", "sorter", c.kind_w() + 1 + c.record_w() + c.key_w(), c.su_waiting(), units);
   if (c.overflow) {
     const int ways = c.su_ways(), line = clog2(c.su_way_lines());
@@ -86,15 +86,14 @@ void add_buffers(const Config& c, StaticCost& cost) {
   }
 
   add("DOPU readers u_lines", "scene", memory, c.node_lines(), 2);
-  const int cell_bits = 3 * (c.grid > 1 ? clog2(c.grid) : 1);
-  add("DOPU u_cells.u_table", "scene", 2 * record_width<Node>(c), 1 << (cell_bits - 1), 1);
+  add("DOPU u_cells.u_table", "scene", 2 * record_width<Node>(c), std::max(2, c.table_cells() / 2), 1, 1);
   if (c.has_watermarks()) {  // six lists of nodes, each in buckets of depth
     const int nodes = c.nearest_nodes, number = clog2(nodes);
     const int low = c.bucket_w() / 2;  // a bucket is {word, bit}
-    add("DOPU u_nearest.u_bucket.u_heads", "scene", number, 6 << c.bucket_w(), 1);
-    add("DOPU u_nearest.u_bucket.u_words", "scene", 1 << low, 6 << (c.bucket_w() - low), 1);
+    add("DOPU u_nearest.u_bucket.u_heads", "scene", number, 6 << c.bucket_w(), 1, 1);
+    add("DOPU u_nearest.u_bucket.u_words", "scene", 1 << low, 6 << (c.bucket_w() - low), 1, 1);
     add("DOPU u_nearest.u_bucket.u_nodes", "scene", c.count_w() + c.slot_w() + 3 * c.world_w + c.exp_w() + number + 1,
-        nodes, 1);
+        nodes, 1, 1);
     add("DOPU u_nearest.u_bucket.u_back", "scene", number, nodes, 1);
     if (c.has_walks()) {  // chunks of half as many groups as places, four buckets in a word
       add("DOPU u_load.u_sums", "scene", 4 * clog2((nodes / 2 + 1) * c.group + 1), 1 << (c.load_w() - 2), 2);

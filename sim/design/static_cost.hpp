@@ -17,7 +17,7 @@ namespace pipegs {
 struct BufferCost {
   std::string buffer;   // instance, as in docs/silicon/silicon.md
   std::string purpose;  // alphas, pixels, records, sorter, parameters, scene, queues, overflow
-  int width = 0, depth = 0, count = 0;
+  int width = 0, depth = 0, count = 0, ports = 2;
   uint64_t bits() const { return uint64_t(width) * uint64_t(depth) * uint64_t(count); }
 };
 

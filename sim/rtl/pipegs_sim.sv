@@ -188,7 +188,10 @@ module pipegs_sim #(
   assign tap_pixels_valid_o   = Shown ? taps.pixels_valid : '0;
   assign tap_pixels_region_o  = Shown ? taps.pixels_region : '0;
   assign tap_pixels_quarter_o = Shown ? taps.pixels_quarter : '0;
-  assign tap_pixels_o         = Shown ? taps.pixels : '0;
+  for (genvar k = 0; k < Units; k += 1) begin : gen_pixels  // one zero of all would be wider than Verilator allows
+    localparam int unsigned PixelsW = TapsN / Units * pipegs_pkg::TapWordW;
+    assign tap_pixels_o[k*PixelsW+:PixelsW] = Shown ? taps.pixels[k] : '0;
+  end
   assign tap_chunk_valid_o    = Shown ? chunk_valid : '0;
   assign tap_chunk_o          = Shown ? chunk : '0;
   assign tap_state_o          = Shown ? state : '0;

@@ -151,7 +151,7 @@ void VerilatedMachine::tap(RtlTaps& taps) {
 void VerilatedMachine::tap_cycle(RtlTaps& taps) {
   const Vpipegs_sim& top = *dut_;
   if (running_ && top.tap_busy_o) {
-    uint8_t states[1 + 3 * 4];
+    uint8_t states[1 + 3 * kMostUnits];
     for (int unit = 0; unit < 1 + 3 * w_.units; ++unit)
       states[unit] = static_cast<uint8_t>(top.tap_state_o >> (2 * unit) & 3);
     taps.on_cycle(counted_++, states);
@@ -405,11 +405,13 @@ RtlResult VerilatedMachine::drive(const std::function<void(const pipegs_bus&)>& 
   result.cycles = counters.cycles;
   result.preprocess_cycles = counters.preprocess_cycles;
   result.overflow_lines = counters.overflow_lines;
-  const uint64_t* unit = &counters.dopu_busy;
-  for (const auto& [cycles, count, most] : {std::tuple{&result.dopu, 1, 1}, std::tuple{&result.pu, w_.units, 4},
-                                            std::tuple{&result.su, w_.units, 4}, std::tuple{&result.ru, w_.units, 4}}) {
-    for (int i = 0; i < count; ++i) cycles->push_back({unit[4 * i], unit[4 * i + 1], unit[4 * i + 2], unit[4 * i + 3]});
-    unit += 4 * most;
+  for (const auto& [cycles, count, first] :
+       {std::tuple{&result.dopu, 1, &counters.dopu_busy}, std::tuple{&result.pu, w_.units, &counters.pu0_busy},
+        std::tuple{&result.su, w_.units, &counters.su0_busy}, std::tuple{&result.ru, w_.units, &counters.ru0_busy}}) {
+    for (int i = 0; i < count; ++i) {
+      const uint64_t* unit = first + 4 * i;
+      cycles->push_back({unit[0], unit[1], unit[2], unit[3]});
+    }
   }
   result.frame_ends = ends_;
   result.frame_gaps = gaps_;

@@ -24,7 +24,7 @@ Range sram_sum(const Config& config, const SramLaw& law, double SramFigures::*fi
   for (const std::string& kind : law.kinds()) {
     double sum = 0;
     for (const BufferCost& buffer : static_cost(config).buffers)
-      sum += law.memory(kind, buffer.width, buffer.depth).*figure * buffer.count;
+      sum += law.memory(kind, buffer.width, buffer.depth, buffer.ports).*figure * buffer.count;
     by_kind.push_back(sum);
   }
   return range_of(by_kind);
@@ -63,7 +63,7 @@ Synth read_synth(const std::filesystem::path& path, const Config& config) {
     for (const Json& memory : json.at("memories")) {
       static const std::regex kUnnamed("genblk[0-9]+\\.");  // blocks that Yosys names, and waves do not
       synth.memories.push_back({std::regex_replace(memory.at("instance").get<std::string>(), kUnnamed, ""),
-                                count(memory, "words"), count(memory, "width")});
+                                count(memory, "words"), count(memory, "width"), memory.at("ports") == "1RW" ? 1 : 2});
     }
     return synth;
   } catch (const Json::exception& error) {

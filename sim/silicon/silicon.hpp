@@ -29,7 +29,7 @@ struct SynthUnit {
 
 struct SynthMemory {
   std::string instance;  // [k] for any number
-  int words = 0, width = 0;
+  int words = 0, width = 0, ports = 2;
 };
 
 struct Synth {

@@ -91,7 +91,7 @@ using FallQueue = Queue<T, Capacity, 1>;  // rtl/lib/pipegs_fifo.sv
 // Who acts when: one bit per unit in each of the next cycles. Waking a unit for nothing does no harm.
 class Wheel {
  public:
-  static constexpr int kSlots = 256, kWords = 2;
+  static constexpr int kSlots = 256, kWords = 3;
 
   void wake(int unit, Cycle when) {  // in the next cycle at the earliest
     if (when >= kNever) return;
@@ -114,19 +114,19 @@ class Wheel {
 };
 
 // Round robin: the lowest bit of `requests` above `last`, else the lowest. `requests` is not zero.
-inline int round_robin(uint32_t requests, int last) {
-  const uint32_t above = requests & ~((uint32_t{2} << last) - 1);
+inline int round_robin(uint64_t requests, int last) {
+  const uint64_t above = requests & ~((uint64_t{2} << last) - 1);
   return std::countr_zero(above != 0 ? above : requests);
 }
 
 // What it has shown and nobody has used stays, as in rtl/lib/pipegs_arbiter.sv.
 class Arbiter {
  public:
-  int port(uint32_t requests) const {
+  int port(uint64_t requests) const {
     if (requests == 0) return 0;
     return locked_ && (requests >> shown_ & 1) != 0 ? shown_ : round_robin(requests, last_);
   }
-  void clock(uint32_t requests, bool advance) {
+  void clock(uint64_t requests, bool advance) {
     shown_ = port(requests);
     if (requests != 0 && advance) last_ = shown_;
     locked_ = requests != 0 && !advance;

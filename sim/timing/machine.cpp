@@ -30,7 +30,7 @@ Machine::Machine(const TimingTrace& trace, const Config& config, MemoryTiming& m
   constexpr Cycle kHarnessCycles = 5;  // of the harness before the restart
   for (Cycle i = 0; i < kHarnessCycles; ++i) memory.idle_step();
   for (int kind = 0; kind < kUnitEnd; ++kind) {
-    for (int lane = 0; lane < 4; ++lane) {
+    for (int lane = 0; lane < kMostUnits; ++lane) {
       const bool there = kind == kOrder                                                         ? lane < 2
                          : kind == kPublish || kind == kDeal || kind == kDopu || kind == kLists ? lane == 0
                                                                                                 : lane < units;
@@ -44,7 +44,7 @@ Machine::Machine(const TimingTrace& trace, const Config& config, MemoryTiming& m
 }
 
 void Machine::step(int number, Cycle now) {
-  const int kind = number >> 2, lane = number & 3;
+  const int kind = number / kMostUnits, lane = number % kMostUnits;
   const auto k = static_cast<size_t>(lane);
   switch (kind) {
     case kPublish:

@@ -24,7 +24,7 @@
 
 namespace pipegs::timing {
 
-// In the order of their steps. Bit of a unit on the wheel: 4 * Unit + lane.
+// In the order of their steps. Bit of a unit on the wheel: kMostUnits * Unit + lane.
 enum Unit : int {
   kPublish,   // what the RUs report, from the cycle on in which the others see it
   kLanes,     // ru_lanes
@@ -51,7 +51,7 @@ enum Unit : int {
   kDopu,
   kUnitEnd
 };
-inline constexpr int unit(int kind, int lane = 0) { return 4 * kind + lane; }
+inline constexpr int unit(int kind, int lane = 0) { return kMostUnits * kind + lane; }
 
 struct Machine {
   Machine(const TimingTrace& trace, const Config& config, MemoryTiming& memory_timing);

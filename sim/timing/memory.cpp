@@ -10,8 +10,8 @@ Memory::Memory(MemoryTiming& timing, const Config& config)
     : timing_(timing),
       units_(config.units),
       write_ports_(config.write_ports()),
-      first_(((uint32_t{1} << write_ports_) - 1) | uint32_t{1} << node_port()),
-      geometry_(((uint32_t{1} << units_) - 1) << write_ports_) {
+      first_(((uint64_t{1} << write_ports_) - 1) | uint64_t{1} << node_port()),
+      geometry_(((uint64_t{1} << units_) - 1) << write_ports_) {
   const auto set = [this](int port, int grant, int answer) {
     grant_unit_[static_cast<size_t>(port)] = static_cast<uint8_t>(grant);
     answer_unit_[static_cast<size_t>(port)] = static_cast<uint8_t>(answer);
@@ -32,7 +32,7 @@ void Memory::step(Machine& machine, Cycle now) {
   answered_ = coming_;
   coming_ = timing_.step();
   if (answered_ >= 0) machine.wheel.wake_now(answer_unit_[static_cast<size_t>(answered_)]);
-  const uint32_t able = pause_ > 0 ? wanted_ & ~geometry_ : wanted_;
+  const uint64_t able = pause_ > 0 ? wanted_ & ~geometry_ : wanted_;
   if (pause_ > 0) --pause_;
   if (wanted_ == 0 && !out_valid_) return;
 
@@ -49,9 +49,9 @@ void Memory::step(Machine& machine, Cycle now) {
     free = true;
     out_valid_ = false;
   }
-  const uint32_t chosen = chosen_ == kNone ? 0 : uint32_t{1} << chosen_;
-  const uint32_t others = able & ~chosen, first = others & first_, second = others & ~geometry_;
-  const uint32_t requests = first != 0 ? first : second != 0 ? second : others;
+  const uint64_t chosen = chosen_ == kNone ? 0 : uint64_t{1} << chosen_;
+  const uint64_t others = able & ~chosen, first = others & first_, second = others & ~geometry_;
+  const uint64_t requests = first != 0 ? first : second != 0 ? second : others;
   const bool served = (able & chosen) != 0, moves = !served || free;
   if (served && free) {
     out_valid_ = true;

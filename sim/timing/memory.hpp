@@ -24,7 +24,7 @@ class Memory {
 
   // lines: of a read, in a row; halves: of the line that a write changes.
   void ask(int port, uint64_t line, bool write = false, int lines = 1, int halves = 2) {
-    wanted_ |= uint32_t{1} << port, request_[static_cast<size_t>(port)] = {line, write, lines, halves};
+    wanted_ |= uint64_t{1} << port, request_[static_cast<size_t>(port)] = {line, write, lines, halves};
   }
   bool granted(int port, Cycle now) const { return granted_ == port && grant_at_ == now; }
   bool answered(int port) const { return answered_ == port; }
@@ -47,7 +47,7 @@ class Memory {
   int node_port() const { return write_ports_ + 2 * units_; }
 
  private:
-  static constexpr int kPorts = 22, kNone = -1;
+  static constexpr int kPorts = 42, kNone = -1;
   struct Request {
     uint64_t line = 0;
     bool write = false;
@@ -57,10 +57,10 @@ class Memory {
 
   MemoryTiming& timing_;
   int units_, write_ports_;
-  uint32_t first_;     // ports that go first: those that may write, and the DOPU's
-  uint32_t geometry_;  // those that go last
+  uint64_t first_;     // ports that go first: those that may write, and the DOPU's
+  uint64_t geometry_;  // those that go last
   std::array<uint8_t, kPorts> grant_unit_{}, answer_unit_{};  // whom to wake
-  uint32_t wanted_ = 0;
+  uint64_t wanted_ = 0;
   std::array<Request, kPorts> request_{};
   int pause_ = 0;       // cycles for which no geometry is asked for
   int chosen_ = kNone;  // granted in this cycle if it asks

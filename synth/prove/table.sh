@@ -479,3 +479,4 @@ proof  dopu_bucket "dopu_bucket+ pipegs_slot_pool pipegs_first_set free_sram fre
        "@late=1,order=2 %BucketW=5 Lists=2 DataW=2 Nodes=4"
 mutant "another place than the node's comes back" 's/free_slot_i\(place_q\)/free_slot_i(free_place)/'
 mutant "a full queue takes another node" 's/ \&\& !full_o//'
+mutant "a chain's head is read while one is written" 's/(read_i\()take_pop \|\| take_insert\)/\1pop_valid_i)/'

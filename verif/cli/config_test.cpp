@@ -90,7 +90,7 @@ TEST_F(ConfigCommand, OneEntryInFull) {
 TEST_F(ConfigCommand, FilesHoldTheSame) {
   const Json printed = json("config --out found");
   EXPECT_EQ(printed, Json::parse(text("found/config.json")));
-  EXPECT_TRUE(text("found/config.csv").starts_with("key,value,default,range,unit,meaning\nunits,4,4,1 to 4,units,"));
+  EXPECT_TRUE(text("found/config.csv").starts_with("key,value,default,range,unit,meaning\nunits,4,4,1 to 8,units,"));
 }
 
 TEST_F(ConfigCommand, WhatIsUnknownIsToldWithTheNearest) {

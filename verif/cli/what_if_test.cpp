@@ -151,7 +151,7 @@ TEST_F(WhatIf, AMachineThatCannotBeIsRefusedWithKeyAndReason) {
   expect_refused(command + "--set unit=2", "--set unit=2: unknown key 'unit'; nearest: units");
   expect_refused(command + "--set units=2 --set units=3",
                  "--set units=3: configuration: units = 3, expected a power of");
-  expect_refused(command + "--set units=8", "--set units=8: units: found '8', expected an integer from 1 to 4");
+  expect_refused(command + "--set units=16", "--set units=16: units: found '16', expected an integer from 1 to 8");
   expect_refused(command + "--set quads=0", "--set quads=0: configuration: window = 128 needs quads = 1");
   expect_refused(command + "--set bucket_w=3", "'bucket_w' follows from other keys");
   expect_refused(command + "--set units", "expected key=value");

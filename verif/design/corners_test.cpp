@@ -61,6 +61,12 @@ TEST(Corners, ANodeHas256Bits) {
 }
 
 // With fewer places the cells of a window on trial fill the queue, and no group can be counted: the DOPU hangs.
+TEST(Corners, EachUnitHasARegionOfAWindow) {
+  EXPECT_EQ(refused(with({"window=16", "units=4"})), "accepted");
+  EXPECT_EQ(refused(with({"window=16", "units=8"})),
+            "configuration: units = 8, expected with window = 16 at most its regions = 4");
+}
+
 TEST(Corners, TheQueueHoldsAWindowOnTrial) {
   const std::vector<std::string> walks = {"late=1", "order=2", "quads=1", "window=128"};
   Config config = with(walks);

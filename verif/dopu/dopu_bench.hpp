@@ -72,7 +72,7 @@ class Units : public Endpoint {
   std::vector<Chunk> beats;  // all units together, in order
   std::vector<uint64_t> cycles;
   std::vector<std::vector<std::pair<size_t, uint64_t>>> ends;  // of each unit: chunks sent before it, kind
-  uint64_t count[4] = {};
+  uint64_t count[kMostUnits] = {};
 
  private:
   Bench<Vpipegs_dopu>& bench_;

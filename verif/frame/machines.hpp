@@ -24,8 +24,8 @@ struct Machine {
 // small that every one of them overflows; then the other design points of the ladder, and `exact` that leaves out what
 // is hidden, with a pool so small that it spills, and with the numbers of sim/fine.cfg and lanes that blend living
 // quads; then `late` with coarse numbers, without some parts, and PUs of four cycles; and `fast` with PUs of eight that
-// leaves out nothing of what is hidden, and with pools that spill and the shortest queue. Buses of all widths are among
-// them, and a machine without one; clocks that never stop, too.
+// leaves out nothing of what is hidden, and with pools that spill and the shortest queue; and `wide`. Buses of all
+// widths are among them, and a machine without one; clocks that never stop, too.
 inline const std::vector<Machine> kMachines = {
     {"dop"},
     {"dop", {"units=2", "fronts=1", "pixels_per_row=1", "grid=8", "tight_cull=1", "bus_w=256", "clock_gates=0"}},
@@ -43,7 +43,8 @@ inline const std::vector<Machine> kMachines = {
      {"antialias=1", "alpha_cut=128", "tile_test=0", "pace=4", "exp_linear=0", "t_cut=1000", "guard_band=0",
       "early_stop=0", "bus_w=0", "taps=0"}},
     {"fast", {"occlusion=0", "pace=8"}},
-    {"fast", {"records=48", "nearest_nodes=128"}}};
+    {"fast", {"records=48", "nearest_nodes=128"}},
+    {"wide"}};
 
 // Their numbers.
 enum Numbered : size_t {
@@ -61,7 +62,8 @@ enum Numbered : size_t {
   kFast,
   kOdd,
   kHidden,
-  kCrowded
+  kCrowded,
+  kWide
 };
 
 inline SimulateOptions machine(size_t number) {

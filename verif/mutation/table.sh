@@ -62,6 +62,10 @@ mutant pipegs_line_reader "the last line of a chunk is kept when it is half full
        pu_fetch
 mutant dopu_cells "both cells of a line are its first one" "s/(item_half_q <= )cell_i\[0\]/\11'b0/" dopu
 mutant dopu_cells "the last slab but one ends the window" 's/layer_q == LastLayer/layer_q == LastLayer - 1'"'"'b1/' dopu
+mutant dopu_cells "an empty entry is shown" "s/(is_shown .*) \|\| item\.count != '0/\1 || 1'b1/" dopu_nearest_small
+mutant dopu_cells "the last line of the table is not loaded" \
+       's/(TableLines *= .*TableCells) \+ 1/\1 - 1/' dopu_nearest_small
+mutant dopu_cells "the last entry of the table is not walked" 's/(SlabCells) - 1\)/\1 - 2)/' dopu_nearest_small
 mutant dopu_memory "the first line of an answer is all of it" 's/(answer) && come_q == lines\)/\1)/' dopu
 mutant dopu_memory "groups are taken for chunks" "s/group \? 3'b010 : 3'b001/3'b001/" dopu
 
@@ -71,6 +75,7 @@ mutant dopu_nearest "the watermark forgets the groups that are being opened" \
        "s/unopened = \{first\[1\], open_nearest\[1\]/unopened = {first[1], {BucketW{1'b1}}/"
 mutant dopu_rank "the smaller of own and parent's bucket instead of the larger" \
        's/own > parent \?/own < parent ?/' dopu_nearest
+mutant dopu_rank "the third test's result is taken for the second's" "s/valid\[1\] \? 2'd1 : 2'd2/2'd1/" dopu_nearest
 mutant dopu_send "a watermark is sent although it has not risen" 's/(mark_due *= .*) && risen/\1/' dopu_nearest
 mutant dopu_send "what is shown is taken back when its window is done" 's/ && !shown_q;/;/' dopu_nearest
 mutant dopu_open "the last child but one counts as the last too" \
@@ -252,6 +257,11 @@ mutant su_release "an end that releases all releases what is nearer only" \
        's/(job_all_i\(spill_job_i) \|\| head_all/\1/' su
 mutant su_stores "a link is written in the cycle in which the splitter has the port" \
        's/(link_ready_o = )!split_claim_i/\11'"'"'b1/' su
+mutant su_stores "nobody hears that the pool is written" "s/(busy_o = )write_q/\11'b0/" su
+mutant su_stores "a number is written where a record that comes in would lie" \
+       's/(slot_q +<= )external_i\.write \? external_i\.slot : /\1/' su_tiny
+mutant su_stores "the number of a record in memory is not written" \
+       's/(payload_q <= .*)external_i\.write \? external_i\.number : /\1/' su_tiny
 mutant su_minmax "the largest is compared with the smallest" 's/key_i > max_q/key_i > min_q/' su
 mutant su_bitonic "direction of the last merge" 's/ && !size_q\[DistanceW\]//'
 mutant su_bitonic "one stage too many for a full batch" 's/(<< size_q\)) >= fill_q/\1 > fill_q/'
@@ -287,11 +297,19 @@ mutant su_ways "a line is asked for without a place" "s/ && held_q\[i\] != HeldW
 mutant su_tree "the nearer one stays" 's/(loser\[.*\]) < (rising)/\1 > \2/' su_tiny
 mutant su_emit "the end of a set that spilled asks the memory for a record" \
        's/spilled_i && !item_end_i/spilled_i/' su_tiny
+mutant su_emit "a record is fetched while the pool is written" 's/(head_ready .*sent\)) && !record_busy_i/\1/' su
+mutant su_emit "a number is read while the pool is written" 's/(look .*!looked_q) && !record_busy_i/\1/' su
+mutant su_emit "a number that waits for the pool is known" 's/(outside) && \(look \|\| looked_q\)/\1/' su
+mutant su_emit "a record that waits for the pool is shown" 's/(valid_q <= head_valid) && head_ready/\1/' su
+mutant su_emit "asleep while the pool is written" 's/(!head_valid\)) \|\| record_busy_i/\1/' su
 mutant su_port "a line behind its area is asked for" 's/\(line_q\) >= (pipegs_pkg::area_lines)/(line_q) > \1/' su
 mutant su_port "goes on behind a line that has no room" 's/(choice_q != None) && !full_o/\1/' su
 mutant su_port "asks for lines without room" 's/read_valid_i && room/read_valid_i/' su
 mutant su_buckets "the bucket of the mark leaves too" "s/(LowW'\(i\)) < job_low/\1 <= job_low/" su_marks
 mutant su_buckets "a word of buckets that was given up comes back" "s/(with_bucket = )held \? word : '0/\1word/" su
+mutant su_buckets "a bucket is read while an insertion writes the table" \
+       's/(!chain_due) && operation_q != Insert/\1/' su_marks
+mutant su_buckets "a bucket waits until no record comes" "s/(entry_turn *= )inserted_q/\11'b0/" su_marks
 mutant su_gather "a full pool spills nothing" "s/(\.full_i)\(.*\),/\1(1'b0),/" su_tiny
 mutant su_sort "an end overtakes the keys before it" 's/(end_go *= chain_valid_i && is_end) && split_idle_o/\1/' su
 mutant su_overflow "a line of keys is shown as a record, too" 's/(line_valid_o = line_shown) && !line_fetch/\1/' su_tiny
@@ -617,6 +635,7 @@ mutant pipegs_reset_sync "in the scan test the flip-flops stay in the way" 's/te
 mutant pipegs_sram "the output changes without a read" 's/if \(read_i\) rdata_o/rdata_o/'
 mutant pipegs_sram "a read of the word that is written shows the new one" 's/(rdata_o <= )DataW.*;/\1wdata_i;/'
 mutant pipegs_sram "such a read shows the same each time" 's/(noise_q <= )noise_q .*;/\1noise_q;/'
+mutant pipegs_sram "assertion: two ports are one port, too" 's/(Ports == )2/\11/' sram_one_port
 
 # --- rtl/list ---------------------------------------------------------------------------------------------------------
 group list "Lists (\`order = 1\`), parts (\`window = 128\`)"

@@ -88,7 +88,7 @@ TEST(Energy, FollowsClockedCyclesTogglesAccessesAndBytes) {
   EXPECT_NEAR(row(rows, "PU").frame_j.low, row(rows, "PU").frame_j.mid / 2, 1e-18);
   std::vector<double> accesses;
   for (const std::string& kind : law.kinds()) {
-    const SramFigures figures = law.memory(kind, 128, 64);
+    const SramFigures figures = law.memory(kind, 128, 64, 2);
     accesses.push_back(10 * (60 * figures.read_pj + 20 * figures.write_pj) * 1e-12);
   }
   EXPECT_NEAR(row(rows, "Buffers").frame_j.low, range_of(accesses).low, 1e-18);

@@ -31,12 +31,12 @@ TEST(SramLaw, MeetsTheTable) {
 TEST(SramLaw, LargerAndWiderCostsMore) {
   const SramLaw law(kTable);
   for (const std::string& kind : law.kinds()) {
-    EXPECT_GT(law.memory(kind, 64, 1024).area_mm2, law.memory(kind, 64, 512).area_mm2);
-    EXPECT_GT(law.memory(kind, 128, 512).read_pj, law.memory(kind, 64, 512).read_pj);
+    EXPECT_GT(law.memory(kind, 64, 1024, 2).area_mm2, law.memory(kind, 64, 512, 2).area_mm2);
+    EXPECT_GT(law.memory(kind, 128, 512, 2).read_pj, law.memory(kind, 64, 512, 2).read_pj);
     EXPECT_GT(law.macro(kind, 8192, 64, true).area_mm2, law.macro(kind, 8192, 64, false).area_mm2);
     // Two columns of 256 bits.
-    EXPECT_DOUBLE_EQ(law.memory(kind, 512, 1024).area_mm2, 2 * law.memory(kind, 256, 1024).area_mm2);
-    EXPECT_DOUBLE_EQ(law.memory(kind, 512, 1024).access_ns, law.memory(kind, 256, 1024).access_ns);
+    EXPECT_DOUBLE_EQ(law.memory(kind, 512, 1024, 2).area_mm2, 2 * law.memory(kind, 256, 1024, 2).area_mm2);
+    EXPECT_DOUBLE_EQ(law.memory(kind, 512, 1024, 2).access_ns, law.memory(kind, 256, 1024, 2).access_ns);
   }
 }
 

@@ -88,6 +88,22 @@ TEST(SuMarks, ReleasesRecordsBeforeTheirWindowIsComplete) {
   bench.check(1000);
 }
 
+// Records that come without a pause hold up no bucket that a mark released: each goes after one of them.
+TEST(SuMarks, ReleasesBucketsWhileRecordsCome) {
+  if (kConfig.records < 100) return;  // a smaller pool is full before
+  MarksBench bench(Pace::kAlways, Pace::kAlways, true);
+  std::vector<Splat> beats;
+  for (uint64_t bucket = 2; bucket < 22; ++bucket) beats.push_back(bench.data(depth_of(bucket)));
+  beats.push_back(bench.end(kLayerEnd, depth_of(22)));
+  for (int i = 0; i < kConfig.records - 30; ++i) beats.push_back(bench.data(depth_of(23) + static_cast<uint64_t>(i)));
+  bench.push(beats);
+  bench.run_until_sent(21, 10000);
+  std::printf("%d records came meanwhile\n", static_cast<int>(bench.in.taken) - 21);
+  EXPECT_LE(bench.in.taken, 21u + 60);
+  bench.push({bench.end(kWindowEnd, 0)});
+  bench.check(100000);
+}
+
 TEST(SuMarks, FreesSlotsOfReleasedRecordsWithinAWindow) {
   MarksBench bench(Pace::kAlways, Pace::kAlways, true);
   std::vector<Splat> beats;

@@ -237,7 +237,7 @@ TEST(Su, KeepsItsPace) {
     double bound;
   };
   for (const auto& [count, bound] :
-       {Case{16, 3.2}, Case{40, 4.2}, Case{90, 3.8}, Case{200, 4.0}, Case{350, 4.6}, Case{512, 4.6}, Case{1000, 6.0},
+       {Case{16, 4.2}, Case{40, 3.7}, Case{90, 3.3}, Case{200, 3.1}, Case{350, 3.0}, Case{512, 2.9}, Case{1000, 2.7},
         Case{2000, 14.5}}) {  // the last does not fit the pool
     const double random = cycles_per_key(count, Arrangement::kRandom, 8);
     const double narrow = cycles_per_key(count, Arrangement::kNarrow, 8);

@@ -8,6 +8,7 @@
 module pipegs_sram #(
   parameter DataW = 32,
   parameter Depth = 64,
+  parameter Ports = 2,
   parameter AddrW = Depth > 1 ? $clog2(Depth) : 1
 ) (
   input                  clk_i,

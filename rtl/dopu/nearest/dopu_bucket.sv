@@ -100,7 +100,7 @@ module dopu_bucket #(
     end
   end
 
-  pipegs_sram #(.DataW(NodeW), .Depth(Lists * Buckets)) u_heads (
+  pipegs_sram #(.DataW(NodeW), .Depth(Lists * Buckets), .Ports(1)) u_heads (
     .clk_i,
     .write_i(state_q == Insert || (out_valid_o && out_more)),
     .waddr_i({list_q, bucket_q}),
@@ -110,7 +110,7 @@ module dopu_bucket #(
     .rdata_o(head)
   );
 
-  pipegs_sram #(.DataW(DataW + NodeW + 1), .Depth(Nodes)) u_nodes (
+  pipegs_sram #(.DataW(DataW + NodeW + 1), .Depth(Nodes), .Ports(1)) u_nodes (
     .clk_i,
     .write_i(state_q == Insert),
     .waddr_i(place_q),
@@ -156,7 +156,7 @@ module dopu_bucket #(
   );
   assign first_valid_o = first_valid_q;
 
-  pipegs_sram #(.DataW(Word), .Depth(Lists * Words)) u_words (
+  pipegs_sram #(.DataW(Word), .Depth(Lists * Words), .Ports(1)) u_words (
     .clk_i,
     .write_i(state_q == Insert || chain_ends),
     .waddr_i({list_q, at}),

@@ -9,8 +9,8 @@
 //         or opened at once: right too, only out of order. Scanning cells, opening cells, opening groups and sending
 //         each go on to the next window when they are through with one, so two windows overlap. What belongs to a done
 //         window is dropped wherever it stands. Of a window on trial (set_judges_i) groups are shown, and wait.
-// Stream  cell in (layer ends are ignored); chunk out: chunks, layer ends with a watermark, the window's end.
-// Pace    Two tests in three cycles; a node that passes costs the queue five.
+// Stream  cell in, and the window's end; chunk out: chunks, layer ends with a watermark, the window's end.
+// Pace    One test a cycle; a node that passes costs the queue five.
 // Model   cpp_model/dopu/nearest/dopu_nearest.hpp
 
 module dopu_nearest #(

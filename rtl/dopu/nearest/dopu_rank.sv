@@ -2,13 +2,14 @@
 // dopu_rank: which nodes can touch the window, and in which bucket of depth they lie.
 //
 // Paper   None.
-// Idea    Two box tests, out of step, take turns. The depth of a node's nearest corner gives its step; relative to the
-//         near plane's step it is the bucket, clamped at both ends, and never below the parent's: what holds for the
-//         parent's box holds for what lies inside. Where windows have walks, the bucket of the farthest corner, too.
+// Idea    Three box tests, out of step, take turns. The depth of a node's nearest corner gives its step; relative to
+//         the near plane's step it is the bucket, clamped at both ends, and never below the parent's: what holds for
+//         the parent's box holds for what lies inside. Where windows have walks, the bucket of the farthest corner,
+//         too.
 // Stream  node: a node, its set of planes, its parent's bucket, which of its boxes counts, a tag. result: tag, pass,
 //         bucket and those fields of the node that are still needed, in the order of the nodes; it has no ready: the
 //         caller asks only for what it can take.
-// Pace    Two nodes in three cycles, results 15 cycles later.
+// Pace    One node per cycle, results 15 cycles later.
 // Model   cpp_model/dopu/nearest/dopu_nearest.hpp
 
 module dopu_rank #(
@@ -46,7 +47,7 @@ module dopu_rank #(
   output logic [RangeW-1:0]                     result_range_o
 );
 
-  localparam int unsigned Tests = 2;
+  localparam int unsigned Tests = 3;
   localparam int unsigned NodeBits = pipegs_pkg::NodeBits;
   localparam int unsigned ExpW = pipegs_pkg::ExpW;
   localparam int unsigned DistanceW = 2 * pipegs_pkg::TestW + 2;
@@ -85,10 +86,11 @@ module dopu_rank #(
       );
     end
   endgenerate
-  assign node_ready_o = ready != '0;  // never both
+  assign node_ready_o = ready != '0;  // one of them is
 
   // --- the result's bucket, one cycle later -------------------------------------------------------------------------
-  logic                       which, valid_q, pass_q;
+  logic [1:0]                 which;
+  logic                       valid_q, pass_q;
   logic [TagW+BucketW-1:0]    tag_q;
   pipegs_pkg::node_t          result;
   logic signed [DistanceW-1:0] nearest_q;
@@ -99,7 +101,7 @@ module dopu_rank #(
   logic [PlaceW-1:0]          place_q;
   logic [RangeW-1:0]          range_q;
 
-  assign which  = !valid[0];
+  assign which  = valid[0] ? 2'd0 : valid[1] ? 2'd1 : 2'd2;
   assign result = node[which];
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -150,15 +152,15 @@ module dopu_rank #(
   end else begin : gen_no_far
     assign result_far_o = '0;
     logic unused_farthest;
-    assign unused_farthest = ^farthest[0] ^ ^farthest[1];
+    assign unused_farthest = ^farthest[0] ^ ^farthest[1] ^ ^farthest[2];
   end
 
   logic unused_node;  // what only the test needs
   assign unused_node = ^result;
 
 `ifndef SYNTHESIS
-  always_ff @(posedge clk_i) if (rst_ni) assert (ready != '1);
-  always_ff @(posedge clk_i) if (rst_ni) assert (valid != '1);
+  always_ff @(posedge clk_i) if (rst_ni) assert ($onehot(ready));
+  always_ff @(posedge clk_i) if (rst_ni) assert ($onehot0(valid));
 `endif
 
 endmodule

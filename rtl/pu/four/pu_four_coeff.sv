@@ -151,7 +151,7 @@ module pu_four_coeff (
   // Operands of the next cycle.
   always_ff @(posedge clk_i) begin
     if (take) begin  // m mean_q
-      short_left_q  <= ShortW'(conic_i.swap ? conic_i.mean_x : conic_i.mean_y);
+      short_left_q  <= conic_i.swap ? ShortW'(conic_i.mean_x) : ShortW'(conic_i.mean_y);
       short_right_q <= RightW'(conic_i.slope_m);
     end else if (step) begin
       short_left_q  <= ShortW'($signed({1'b0, phase[0] ? in_q.wide_m : in_q.narrow_m}));

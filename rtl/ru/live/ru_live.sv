@@ -101,17 +101,21 @@ module ru_live #(
   end
   // A slot is one of Units regions side by side, another one for each RU. Asked for only when a window begins: so a
   // simulator need not find it out in every cycle, nor its gates switch.
-  always_comb begin
-    outside = '0;
-    if (clear_q) begin
-      for (int unsigned region = 0; region < Regions; region += 1) begin
-        for (int unsigned row = 0; row < 4; row += 1) begin
-          for (int unsigned group = 0; group < Groups; group += 1) begin
-            outside[Words*group + 4*(region/Units) + row] |= own_i[region] &&
-                (rows_out[4*(region/MaskW/PartsX*PartSide + region%MaskW/PartSide) + row] ||
-                 columns_out[4*(region/MaskW%PartsX*PartSide + region%MaskW%PartSide) + (group+2*row)%4]);
+  for (genvar g = 0; g < Groups; g += 1) begin : gen_outside
+    for (genvar r = 0; r < 4; r += 1) begin : gen_row
+      logic [Slots-1:0] of_slots;
+      always_comb begin
+        of_slots = '0;
+        if (clear_q) begin
+          for (int unsigned region = 0; region < Regions; region += 1) begin
+            of_slots[region/Units] |= own_i[region] &&
+                (rows_out[4*(region/MaskW/PartsX*PartSide + region%MaskW/PartSide) + r] ||
+                 columns_out[4*(region/MaskW%PartsX*PartSide + region%MaskW%PartSide) + (g+2*r)%4]);
           end
         end
+      end
+      for (genvar s = 0; s < Slots; s += 1) begin : gen_slot
+        assign outside[Words*g+4*s+r] = of_slots[s];
       end
     end
   end

@@ -9,7 +9,8 @@
 //         neighbours are joined while they hold at most sixteen records. Records that come later lie above the mark.
 // Stream  insert: a slot to a bucket. job: release everything below job_bucket_i, or all; stays until job_done_o.
 //         chain: released chains, then the end of kind job_kind_i (none when that is KindData). link: writes of links.
-// Pace    One record per two cycles, one bucket per cycle between them; an empty bucket costs nothing.
+// Pace    One record per two cycles, one bucket per cycle where none comes, a record and a bucket per three cycles; an
+//         empty bucket costs nothing.
 // Model   Plumbing; the whole SU is tested against cpp_model/su/su.hpp.
 
 module su_buckets (
@@ -56,7 +57,7 @@ module su_buckets (
   localparam int unsigned GroupW = $clog2(Group + 1);
 
   // Each operation reads in one cycle and ends in the next; the next one may read in that cycle unless it needs what
-  // the former writes.
+  // the former writes, or the table, which has one port, while the former writes there.
   typedef enum logic [1:0] {
     None,
     Insert,  // a record enters its bucket
@@ -115,15 +116,17 @@ module su_buckets (
 
   // --- what is done next --------------------------------------------------------------------------------------------
   logic insert_reads, entry_reads, word_reads, same_word, insert_waits, chain_due;
+  logic inserted_q, entry_turn;  // an insertion has ended: now a bucket that waits, before the next one
+  assign entry_turn   = inserted_q && work_q != '0 && chain_room_i;
   // Is the word that an insertion is about to read, or has read, the one that the release takes?
   assign same_word    = operation_q == Insert ? {set_q, bucket_q[BucketW-1:LowW]} == {job_set_i, first_word}
                                               : {insert_set_i, arrives_bucket_i[BucketW-1:LowW]} == {job_set_i, word_q};
-  assign insert_waits = word_wanted || operation_q == Insert || (operation_q == Word && same_word);
+  assign insert_waits = word_wanted || operation_q == Insert || (operation_q == Word && same_word) || entry_turn;
   always_comb begin
     operation_d = None;
     if (word_wanted) operation_d = operation_q == Insert && same_word ? None : Word;
     else if (insert_valid_i && !insert_waits) operation_d = Insert;
-    else if (work_q != '0 && chain_room_i && !chain_due) operation_d = Entry;
+    else if (work_q != '0 && chain_room_i && !chain_due && operation_q != Insert) operation_d = Entry;
     if (!ends) operation_d = None;
   end
   assign insert_ready_o = ends && !insert_waits;
@@ -131,7 +134,7 @@ module su_buckets (
   assign word_reads     = operation_d == Word;
   assign entry_reads    = operation_d == Entry;
 
-  pipegs_sram #(.DataW(2 * RecordW + RecordW + 1), .Depth(2 ** (BucketW + 1))) u_table (
+  pipegs_sram #(.DataW(2 * RecordW + RecordW + 1), .Depth(2 ** (BucketW + 1)), .Ports(1)) u_table (
     .clk_i,
     .write_i(operation_q == Insert && ends),
     .waddr_i({set_q, bucket_q}),
@@ -182,17 +185,19 @@ module su_buckets (
   assign chain_bucket_o = group_bucket_q;
   assign job_done_o     = job_valid_i && quiet && !group_valid_q && (chain_room_i ||
                           job_kind_i == pipegs_pkg::KindData);
-  assign active_o       = operation_q != None || operation_d != None || chain_push_o || job_done_o;
+  assign active_o       = operation_q != None || operation_d != None || inserted_q || chain_push_o || job_done_o;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
       operation_q   <= None;
+      inserted_q    <= 1'b0;
       held_q        <= '0;
       work_q        <= '0;
       edge_q        <= 1'b0;
       group_valid_q <= 1'b0;
     end else begin
       if (ends) operation_q <= operation_d;
+      inserted_q <= operation_q == Insert;
       if (operation_q == Insert) held_q[{set_q, bucket_q[BucketW-1:LowW]}] <= 1'b1;
       if (operation_q == Word) begin
         held_q[{job_set_i, word_q}] <= left != '0;

@@ -143,7 +143,7 @@ module su_split (
     assign stacked = depth_q != '0;
     assign {frame_head, frame_count, frame_shift} = frame;
 
-    pipegs_sram #(.DataW(FrameW), .Depth(2 ** StackW)) u_stack (
+    pipegs_sram #(.DataW(FrameW), .Depth(2 ** StackW), .Ports(1)) u_stack (
       .clk_i,
       .write_i(push),
       .waddr_i(depth_q),

@@ -70,10 +70,10 @@ SramFigures SramLaw::macro(const std::string& kind, double bytes, double width, 
   return {f[0], f[1], f[2], f[3], f[4], f[5]};
 }
 
-SramFigures SramLaw::memory(const std::string& kind, int width, int depth) const {
+SramFigures SramLaw::memory(const std::string& kind, int width, int depth, int ports) const {
   const int columns = (width + kWidestMacro - 1) / kWidestMacro;
   const double column = static_cast<double>(width) / columns;
-  SramFigures f = macro(kind, column * depth / 8, column, true);
+  SramFigures f = macro(kind, column * depth / 8, column, ports == 2);
   for (double* each : {&f.area_mm2, &f.read_pj, &f.write_pj, &f.leak_mw}) *each *= columns;
   return f;
 }

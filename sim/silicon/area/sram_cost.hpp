@@ -4,7 +4,7 @@
 // Idea    synth/data/sram.csv holds CACTI 7 results for banks of 1 to 64 KB and words of 32 to 256 bits. Of each kind
 //         of cell a power law in capacity, width and ports is fitted to each figure; the test
 //         `silicon` prints how well it meets the rows. Below 1 KB the law is extrapolated.
-// Rule    Every SRAM of the machine has a read and a write port (rtl/lib/pipegs_sram.sv), so the law is asked for 1R1W.
+// Rule    An SRAM of the machine has a read and a write port, 1R1W, or one for both, 1RW (rtl/lib/pipegs_sram.sv).
 //         Words wider than 256 bits are columns of equal width, each a macro of its own.
 // Units   mm2, ns, pJ for one access of the whole word, mW at 350 K.
 // Errors  InputError: the table is missing or a row is not what it should be.
@@ -30,8 +30,8 @@ class SramLaw {
   std::vector<std::string> kinds() const;
   // A macro of so many bytes, words of `width` bits.
   SramFigures macro(const std::string& kind, double bytes, double width, bool two_ports) const;
-  // A memory of the machine: width x depth with a read and a write port.
-  SramFigures memory(const std::string& kind, int width, int depth) const;
+  // A memory of the machine: width x depth with a read and a write port, or with one for both.
+  SramFigures memory(const std::string& kind, int width, int depth, int ports) const;
   // Largest |law / table - 1| over the rows of a kind, figure by figure as in SramFigures; and the mean.
   std::array<double, 6> worst(const std::string& kind) const;
   std::array<double, 6> mean(const std::string& kind) const;

@@ -87,7 +87,7 @@ Range sram_energy(const Synth& synth, const SramLaw& law, const Activity& activi
       if (memory == synth.memories.end() || memory->width != accesses.width) {
         throw InputError("synth.json", "memories", "no " + name + ": it is of other RTL, run `make synth` again");
       }
-      const SramFigures figures = law.memory(kind, memory->width, memory->words);
+      const SramFigures figures = law.memory(kind, memory->width, memory->words, memory->ports);
       sum += (static_cast<double>(accesses.reads) * figures.read_pj +
               static_cast<double>(accesses.writes) * figures.write_pj) *
              1e-12;

@@ -50,7 +50,7 @@ std::vector<Knob> table() {
       entry("t_cut", "a pixel stops before its transmittance falls below 1 / this (the truth: 10000)",
             {100, 1000, 10000, 100000}),
       // Order.
-      entry("depth_w", "bits of the depth key", {12, 16, 20, 24, 30}, true),
+      entry("depth_w", "bits of the depth key", {13, 16, 20, 24, 30}, true),
       {.name = "layers",
        .what = "the grid's layers along an axis, or the exact order (which needs late = 1)",
        .values = {{"grid 1", layers_of_grid(1)},

@@ -149,14 +149,14 @@ class ShapeSweep {
 
 const std::vector<ShapeEntry>& shape_entries() {
   static const std::vector<ShapeEntry> kEntries = {
-      {"units", &Config::units, {1, 2, 4}},
+      {"units", &Config::units, {1, 2, 4, 8}},
       {"fronts", &Config::fronts, {1, 2, 4}},
       {"window", &Config::window, {64, 128}},
       {"occlusion", &Config::occlusion, {0, 1}},
       {"tests", &Config::tests, {1, 2}},
       {"pace", &Config::pace, {4, 8}},
       {"records", &Config::records, {704, 1024, 1408, 2048, 2816}},
-      {"bucket_bits", &Config::bucket_bits, {3, 4, 5, 6}},
+      {"bucket_bits", &Config::bucket_bits, {3, 4, 5, 6, 7}},
       {"nearest_nodes", &Config::nearest_nodes, {256, 512, 1024, 2048}},
       {"mark_chunks", &Config::mark_chunks, {4, 7, 8, 12}},
       {"bus_w", &Config::bus_w, {128, 256, 512}},

@@ -20,17 +20,19 @@ constexpr Cycle kOriginCycles = 9, kShiftCycles = 4, kPlanesCycles = 53;
 
 Dopu::Dopu(const Machine& m)
     : units_(m.units),
-      grid_(m.config.grid),
+      slabs_(m.config.slabs()),
+      slab_cells_(m.config.slab_cells()),
       axis_(dopu_axis(m.frame)),
       walks_(m.trace.walks.size()),
       judges_(m.frame.walk_most != 0),
       most_asked_(m.config.node_lines() / 2),
       asked_(most_asked_),
       table_line_(m.frame.tables.cells) {
-  table_left_ = table_coming_ = (grid_ * grid_ * grid_ + 1) / 2;
+  table_left_ = table_coming_ = (m.config.table_cells() + 1) / 2;
   const int camera = dopu_layer_camera(m.config, m.frame, axis_);
-  for (int step = 0; step < 2 * grid_; ++step)
-    slabs_[static_cast<size_t>(step)] = dopu_layer_step(m.config, camera, step);
+  for (int step = 0; step < 2 * slabs_; ++step) {
+    slab_of_step_[static_cast<size_t>(step)] = dopu_layer_step(m.config, camera, step);
+  }
   if (m.config.has_watermarks()) {
     nearest_ = std::make_unique<Nearest>(m.trace, m.config);
   } else {
@@ -220,12 +222,12 @@ void Dopu::cells(const Machine& m, DopuCycle& cycle) {
   const bool advance = !item_valid_ || !item_shown_ || cycle.cell_taken;
   if (advance && item_valid_) item_valid_ = false, cycle.changed = true;
   const bool loading = table_coming_ > 0 || cycle.answered == 2;  // an answer of this cycle counts from the next one on
-  if (!walking_ || loading || (m.config.layered != 0 && now < 2 + m.config.focal_w()) || !set.fresh) return;
+  if (!walking_ || loading || (m.config.has_slabs() && now < 2 + m.config.focal_w()) || !set.fresh) return;
   const bool done = set.done;
-  const bool inside = walk_step_ < 2 * grid_ && slabs_[static_cast<size_t>(walk_step_)] >= 0;
+  const bool inside = walk_step_ < 2 * slabs_ && slab_of_step_[static_cast<size_t>(walk_step_)] >= 0;
   if (advance || !inside) cycle.moved = cycle.changed = true;
   const bool read = advance && (inside || done);
-  const bool is_end = end_next_ || done, window_end = walk_layer_ == grid_ - 1 || done;
+  const bool is_end = end_next_ || done, window_end = walk_layer_ == slabs_ - 1 || done;
   const bool finished = read && is_end && window_end, last = set.walk + 1 == walks_;
   if (read) {
     item_valid_ = true;
@@ -234,10 +236,10 @@ void Dopu::cells(const Machine& m, DopuCycle& cycle) {
     if (is_end) {
       item_.end = window_end ? kWindowEndBeat : kLayerEndBeat;
       item_.last = window_end && last;
-      item_shown_ = window_end || m.config.layered != 0;
+      item_shown_ = true;
     } else {
       item_.node = static_cast<uint32_t>(
-          dopu_layer_cell(m.config, axis_, slabs_[static_cast<size_t>(walk_step_)], walk_number_));
+          dopu_layer_cell(m.config, axis_, slab_of_step_[static_cast<size_t>(walk_step_)], walk_number_));
       item_shown_ = m.trace.cells[item_.node].count != 0;
     }
   }
@@ -253,7 +255,7 @@ void Dopu::cells(const Machine& m, DopuCycle& cycle) {
     ++walk_layer_;
     end_next_ = false;
   } else if (read) {
-    end_next_ = walk_number_ == grid_ * grid_ - 1;
+    end_next_ = walk_number_ == slab_cells_ - 1;
     walk_number_ = end_next_ ? 0 : walk_number_ + 1;
   }
 }

@@ -56,8 +56,8 @@ class Dopu {
   int lines(int level) const { return nearest_ ? nearest_->lines(level) : descend_->lines(level); }
   int table_lines() const { return std::min(table_left_, 8 - static_cast<int>(table_line_ & 7)); }
 
-  const int units_, grid_;
-  std::array<int, 16> slabs_{};  // of each step; -1 outside the grid
+  const int units_, slabs_, slab_cells_;
+  std::array<int, 16> slab_of_step_{};  // -1 outside the grid
   const int axis_;
   const size_t walks_;
   const bool judges_;  // there are trials

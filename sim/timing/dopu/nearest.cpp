@@ -175,7 +175,6 @@ Nearest::Result Nearest::child(int level, uint32_t node, bool last, const DopuSe
 
 void Nearest::enter(DopuCycle& cycle, const DopuSets& sets, const Said& is) {
   const Cycle now = cycle.now;
-  const bool rank_ready = cycle.phase != 0;  // two tests, out of step
   const bool here =
       cycle.cell != nullptr && cycle.cell->set == set_[0] && !cells_in_ && !complete_[0][static_cast<size_t>(set_[0])];
   bool entered = false;
@@ -189,7 +188,6 @@ void Nearest::enter(DopuCycle& cycle, const DopuSets& sets, const Said& is) {
     cycle.moved = true;
     entered = true;  // lower levels wait
     cycle.at(now + 1);
-    if (!rank_ready) return false;
     cycle.changed = true;
     in_test_.push(now, {now + kTestCycles, static_cast<uint8_t>(level), static_cast<uint8_t>(set_[l]),
                         child(level, node, last, sets)});

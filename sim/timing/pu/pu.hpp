@@ -75,7 +75,7 @@ class Pu {
     uint64_t survivors = 0;
     uint32_t walk = 0;
   };
-  static constexpr int kMostJobs = 32;  // with one front for four PUs
+  static constexpr int kMostJobs = 64;  // with one front for eight PUs
   using Reader = LineReader<Header, kMostJobs>;
   enum Allocate { kTake, kDecide, kOffer };
 

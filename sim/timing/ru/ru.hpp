@@ -155,8 +155,8 @@ class AlphaStores {
   void step(Machine& m, Cycle now, int store);
 
  private:
-  std::array<uint32_t, 4> wanted_{};
-  std::array<int, 4> last_{};
+  std::array<uint32_t, kMostUnits> wanted_{};
+  std::array<int, kMostUnits> last_{};
 };
 
 // A layer is free when every RU has finished it.
@@ -164,8 +164,8 @@ struct LayerFree {
   void done(Machine& m, Cycle now, int ru);
   void publish(Machine& m, Cycle now);
 
-  std::array<int, 4> count{};
-  std::array<bool, 4> coming{};
+  std::array<int, kMostUnits> count{};
+  std::array<bool, kMostUnits> coming{};
 };
 
 }  // namespace pipegs::timing

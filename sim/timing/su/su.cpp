@@ -181,9 +181,10 @@ Su::Now Su::look(const Machine& m, Cycle now) {
           operation_ == kInsert && word_of(insert_set_, insert_bucket_) == job_words + lowest(is.candidates);
       is.next = same ? kNone : kWord;
     } else if (insert && operation_ != kInsert &&
-               !(operation_ == kWord && word_of(set_, bucket_of(m.trace.key[is.in->beat])) == job_words + word_)) {
+               !(operation_ == kWord && word_of(set_, bucket_of(m.trace.key[is.in->beat])) == job_words + word_) &&
+               !(inserted_ && work_ != 0 && is.released_room)) {
       is.next = kInsert;
-    } else if (work_ != 0 && is.released_room && !is.chain_valid) {
+    } else if (work_ != 0 && is.released_room && !is.chain_valid && operation_ != kInsert) {
       is.next = kEntry;
     }
   }
@@ -206,6 +207,7 @@ void Su::collect(Machine& m, Cycle now, const Now& is) {
     const uint32_t slot = free_slots_.back();
     free_slots_.pop_back();
     pool_[slot] = {*is.in, key, 0};
+    stored_at_ = now;
     insert_slot_ = slot;
     insert_bucket_ = bucket_of(key);
     if (fresh_ != records_) {

@@ -217,6 +217,7 @@ class Su {
 
   // su_buckets
   Operation operation_ = kNone;
+  bool inserted_ = false;       // it was an insertion in the cycle before
   std::vector<Chain> table_;    // of both sets
   std::vector<Bits> words_;     // filled buckets
   std::array<Bits, 2> held_{};  // words that are not zero
@@ -251,7 +252,7 @@ class Su {
   bool out_outside_ = false, looked_ = false;  // looked_: the record's number was read
   bool ask_ = false;                           // for a record in memory
   uint32_t ask_line_ = 0;
-  Cycle out_taken_at_ = kLongAgo;
+  Cycle out_taken_at_ = kLongAgo, stored_at_ = kLongAgo;  // when a record went on its way into the pool
 
   // su_spill
   Spill spill_ = kSpillIdle;

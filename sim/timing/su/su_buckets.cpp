@@ -11,7 +11,7 @@ namespace pipegs::timing {
 void Su::buckets(Cycle now, const Now& is) {
   const int bits = bits_low_ + bits_high_;
   const uint32_t job_high = is.mark_bucket >> bits_low_, job_low = is.mark_bucket & ((1u << bits_low_) - 1);
-  if (operation_ != kNone || is.next != kNone) moved_ = true;
+  if (operation_ != kNone || is.next != kNone || inserted_) moved_ = true;
 
   // Chains to the splitter.
   if (is.chain_valid && is.released_room) {
@@ -88,6 +88,7 @@ void Su::buckets(Cycle now, const Now& is) {
       break;
     }
   }
+  inserted_ = operation_ == kInsert;
   if (is.ends) operation_ = is.next;
   if (is.job_done && !is.spill_job) {
     marks_.pop(now);

@@ -88,7 +88,7 @@ void Su::form_runs(Cycle now, const Now& is, bool line, bool written) {
         const Sorted& record = records_out_[e.seen];
         const uint32_t bucket = marks_cut_ ? bucket_of(record.key) : 0;
         if (!marks_cut_ || (bucket >= e.from && (e.refill || is.mark_all || bucket < is.mark_bucket)))
-          e.pool.push_back(record);
+          e.pool.push_back(record), stored_at_ = now;
         else if (bucket >= e.from) ++e.rest;
         ++e.seen;
         if (e.seen % kKeysPerLine == 0 || (closed() && e.seen == count))
@@ -143,6 +143,7 @@ void Su::ask_ways(Cycle now, bool line, bool setup) {
     e.asking = true;
   }
   if (!line) return;
+  stored_at_ = now;
   if (++e.place < config_.su_run_keys()) return;
   e.place = 0;
   ++e.ways[static_cast<size_t>(owners_.front())].ready;

@@ -23,8 +23,10 @@ void Su::emit(Cycle now, const Now& is) {
     freed_ = kNil;
     moved_ = true;
   }
+  const bool busy = stored_at_ == now - 1;  // the pool is written
+  if (busy) moved_ = true;
   // From the queue to the output; the record's slot becomes free in the next cycle.
-  if (!out_.valid && waiting_.valid(now)) {
+  if (!out_.valid && waiting_.valid(now) && !busy) {
     const Entry& entry = waiting_.front();
     out_outside_ = entry.outside;
     out_.set(out_outside_ ? kNever : now + 1, entry.item);
@@ -35,7 +37,7 @@ void Su::emit(Cycle now, const Now& is) {
   // Into the queue, or back to memory.
   const bool outside = is.outside && is.emit_item;
   if (outside && looked_ == (is.emit_ready && is.emit_item)) moved_ = true;
-  looked_ = outside && !is.emit_ready;
+  looked_ = outside && !is.emit_ready && (looked_ || !busy);
   if (read_taken_) ask_ = false;
   if (!is.emit_item || !is.emit_ready) return;
   moved_ = true;

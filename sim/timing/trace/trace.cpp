@@ -110,7 +110,7 @@ class WindowTrace {
       const int slab = dopu_layer_step(config_, camera, step);
       if (slab < 0) continue;
       if (config_.layered || layers_.empty()) layers_.emplace_back();
-      for (int n = 0; n < config_.grid * config_.grid; ++n) {
+      for (int n = 0; n < config_.slab_cells(); ++n) {
         const auto number = static_cast<uint64_t>(dopu_layer_cell(config_, axis, slab, n));
         const Node& cell = packed_.cells[number];
         if (cell.count == 0 || !passes(cell, 0)) continue;
@@ -269,7 +269,7 @@ Config timing_config(Config config) {
   config.records = standard.records;
   config.fetch_lines = standard.fetch_lines;
   if (!config.has_watermarks()) config.bucket_bits = standard.bucket_bits;
-  if (!config.has_walks()) config.nearest_nodes = standard.nearest_nodes;  // see dopu_load
+  if (!config.has_watermarks()) config.nearest_nodes = standard.nearest_nodes;  // see table_cells, dopu_load
   config.mark_chunks = standard.mark_chunks;
   config.late = standard.late;
   config.quadratic = standard.quadratic;

@@ -2,11 +2,13 @@
 // free_sram: stands for rtl/lib/pipegs_sram.sv in proofs of its users: any output that the rule of proof_memory allows.
 //
 // Idea    Nothing is stored but what proof_memory remembers, so a proof costs the same for any size. All that a real
-//         SRAM does is allowed here (proof `sram`), so what holds with this module holds with that one.
+//         SRAM does is allowed here (proof `sram`), so what holds with this module holds with that one. With
+//         one port its user never reads and writes in one cycle.
 
 module pipegs_sram #(
   parameter int unsigned DataW = 32,
   parameter int unsigned Depth = 64,
+  parameter int unsigned Ports = 2,
   localparam int unsigned AddrW = Depth > 1 ? $clog2(Depth) : 1
 ) (
   input  logic             clk_i,
@@ -29,5 +31,6 @@ module pipegs_sram #(
     .word_o(), .place_o(), .written_o(), .bit_o(), .shown_o(), .shown_bit_o()
   );
   always_comb assume (kept);
+  always_comb assert (Ports == 2 || !(read_i && write_i));
 
 endmodule

@@ -7,6 +7,7 @@
 module pipegs_sram #(
   parameter int unsigned DataW = 32,
   parameter int unsigned Depth = 64,
+  parameter int unsigned Ports = 2,
   localparam int unsigned AddrW = Depth > 1 ? $clog2(Depth) : 1
 ) (
   input  logic             clk_i,

@@ -1,11 +1,20 @@
 # SPDX-License-Identifier: Apache-2.0
 """Tables of docs/cycles/scale.md."""
 from data import data
-from formats import fixed, group, listing, millions, percent, table
-from measurements import GAINED, LEFT_OUT, SIX
+from formats import fixed, group, listing, millions, percent, table, times
+from measurements import EIGHT, GAINED, LEFT_OUT, SIX, TRADED
 from pages.frames import PINS, SCENE_NAMES, total_bytes
 
-MEASURED = ["rtl/*_fast", "gains/*", "scale/*", "prints/all"]
+MEASURED = [
+    "rtl/*_fast",
+    "rtl/terrace_wide",
+    "gains/*",
+    "prices/*",
+    "wide/*",
+    "scale/*",
+    "silicon/terrace_*",
+    "prints/all",
+]
 KINDS = {"nodes": "nodes", "geometry": "geometry", "color": "colours", "sort_overflow": "sorting", "raster": "pixels"}
 
 
@@ -60,7 +69,7 @@ def most_sorting():
         streams = frame(scene).memory.by_stream
         shares[scene] = total_bytes({"sort": streams.sort_overflow}) / total_bytes(streams)
     worst = max(shares, key=shares.get)
-    return f"{percent(shares[worst], 1)} of all bytes, in {worst}"
+    return f"at most {percent(shares[worst], 1)}, in {worst}" if shares[worst] else "none"
 
 
 def gains():
@@ -69,7 +78,8 @@ def gains():
         "whole": "windows always walked whole (`--walk-most 0`)",
         "occlusion": "nothing left out behind what is opaque (`occlusion=0`)",
         "pace": "a Gaussian every eight cycles (`pace=8`)",
-        "fronts": "two PUs that fetch and cull (`fronts=2`)",
+        "fronts": "one PU that fetches and culls (`fronts=1`)",
+        "buckets": "buckets of depth twice as wide (`bucket_bits=6`)",
     }
 
     def cell(scene, name):
@@ -87,6 +97,67 @@ def gains():
     ]
     rows += [[what[name], *[cell(scene, name) for scene in GAINED]] for name in LEFT_OUT]
     return table(["", *GAINED], rows)
+
+
+def prices():
+    """`fast` and each change of it: area, clock, and what a frame takes."""
+    machines = {scene: data.prices[scene].machines for scene in ("own", "showroom")}
+
+    def area(i):
+        """With ~ where no such machine was synthesised, nor one on each side of it."""
+        silicon = machines["own"][i].silicon
+        return ("~" if silicon.extrapolated_area else "") + fixed(silicon.mm2.mid, 3)
+
+    def frame_of(scene):
+        return [
+            (f"{scene}: cycles", lambda i: machines[scene][i].cycles, group),
+            ("MB", lambda i: machines[scene][i].megabytes, fixed, 1),
+            ("mJ", lambda i: machines[scene][i].mj, fixed, 2),
+        ]
+
+    return listing(
+        "",
+        [(f"`{name}`", i) for i, name in enumerate(("fast", *TRADED))],
+        ("mm2", area),
+        ("GHz", lambda i: machines["own"][i].ghz, fixed, 3),
+        *frame_of("own"),
+        *frame_of("showroom"),
+    )
+
+
+def wide():
+    """`wide` on eight channels of memory beside `fast` on four."""
+
+    def design(scene):
+        return data.wide[scene].designs[0]
+
+    return listing(
+        "scene",
+        [(SCENE_NAMES[scene], scene) for scene in EIGHT],
+        ("`fast`, cycles", lambda scene: frame(scene).cycles, group),
+        ("`wide`, cycles", lambda scene: design(scene).cycles, group),
+        ("times as fast", lambda scene: frame(scene).cycles / design(scene).cycles, times),
+        ("x floor of 128 lanes", lambda scene: 2 * design(scene).cycles / floor(scene), fixed, 2),
+        ("MB", lambda scene: total_bytes(design(scene).bytes) / 1e6, fixed, 1),
+    )
+
+
+def wide_rtl():
+    found = data.rtl.terrace_wide
+    return f"{group(found.cycles)} cycles, {group(found.mismatches)} mismatches"
+
+
+def wide_area():
+    """mm2 of `wide`, and over that of `fast`."""
+    mm2 = {name: data.silicon[f"terrace_{name}"].designs[0] for name in ("fast", "wide")}
+    wide, fast = (next(row for row in mm2[name].rows if row.name == "Total").area_mm2.mid for name in ("wide", "fast"))
+    return f"{fixed(wide, 2)} mm2, {times(wide / fast)} `fast`"
+
+
+def wide_rate():
+    """Frames a second and mm2 of `wide` over those of `fast`, terrace."""
+    wide, fast = (data.silicon[f"terrace_{name}"].designs[0] for name in ("wide", "fast"))
+    return times(wide.fps_per_mm2 / fast.fps_per_mm2)
 
 
 def scale():

@@ -47,7 +47,7 @@ WHERE = [  # unit, place without generate blocks and the SU's wiring, what it ho
     ("RU", "u_ru.u_queue", "sorted splats", "RU queues"),
     ("RU", "u_quads.u_queue", "halves of regions before a group of lanes (`quads=1`)", "RU queues"),
     ("DOPU", "u_dopu.*u_reader.u_lines", "groups and chunks", "scene"),
-    ("DOPU", "u_cells.u_table", "the cell table, Grid^3 cells", "scene"),
+    ("DOPU", "u_cells.u_table", "the table of cells", "scene"),
     ("DOPU", "u_bucket.u_(nodes|heads|back|words)", "nodes that wait, by depth (`order=2`)", "scene"),
     ("DOPU", "u_load.*u_sums", "what a window on trial holds, by depth", "scene"),
     ("lists", "u_counts", "entries of each window's list (`order=1`)", "lists"),
@@ -100,10 +100,10 @@ def srams(name="fast"):
     rows = {}
     for row in data.memories[name]:
         where = known(row)
-        key = (WHERE.index(where), row.width, row.depth)
+        key = (WHERE.index(where), row.width, row.depth, row.ports)
         rows.setdefault(key, [where, 0])[1] += row["count"]
     lines = []
-    for (_, width, depth), ((unit, place, holds, _), count) in sorted(rows.items()):
+    for (_, width, depth, ports), ((unit, place, holds, _), count) in sorted(rows.items()):
         place = place.replace(".*", "..").replace("[01]", "0, 1").replace("(nodes|heads|back)", "*")
         lines.append(
             [
@@ -111,12 +111,13 @@ def srams(name="fast"):
                 f"`{place}`",
                 holds,
                 f"{width} x {depth} x {count}",
+                ports,
                 group(width * depth * count),
                 kb(width * depth * count),
             ]
         )
-    lines.append(["**sum**", "", "", "", f"**{group(total(name))}**", f"**{kb(total(name))}**"])
-    return table(["unit", "instance", "holds", "width x depth x count", "bits", "KB"], lines)
+    lines.append(["**sum**", "", "", "", "", f"**{group(total(name))}**", f"**{kb(total(name))}**"])
+    return table(["unit", "instance", "holds", "width x depth x count", "ports", "bits", "KB"], lines)
 
 
 def by_purpose(name):

@@ -23,6 +23,7 @@ TEST(AccuracyKnobs, EveryValueIsLegalOnEveryDesignPointThatTakesItsOrder) {
       for (const KnobValue& value : knob.values) {
         if (base.quadratic && knob.name == "layers") continue;
         if (base.tight_boxes && with_value({}, value).scale_m_w > 12) continue;  // a node has no room for it
+        if (base.units == 8 && with_value({}, value).window == 16) continue;     // more units than regions
         EXPECT_NO_THROW(with_value(base, value)) << design_point.name << ": " << knob.name << " " << value.label;
       }
     }
