@@ -56,7 +56,6 @@ mutant dopu_planes "one region short above" \
        "s/(vertical \?) closed_q.top :/\1 closed_q.top + 1'b1 :/" dopu_planes_walks
 mutant dopu_descend "no place is reserved for a result of the test" \
        's/ && reserved_q\[l\] != ReservedW.\(Results\)//' dopu
-mutant dopu_descend "a chunk that is shown is taken back when its window is done" 's/ && !shown_q;/;/' dopu
 mutant pu_fetch "an end carries a slot" 's/\{pipegs_pkg::SlotW\{is_data\}\} & slot/slot/'
 mutant pipegs_line_reader "the last line of a chunk is kept when it is half full" 's/\(last \|\| line_end\)/line_end/' \
        pu_fetch
@@ -471,7 +470,7 @@ mutant pipegs_control_restart "the core is in reset as soon as it is apart" \
 mutant pipegs_control_restart "the reset lasts a cycle" "s/(StateTurned: if \().*\) begin/\11'b1) begin/"
 mutant pipegs_control_restart "the core may begin as its reset ends" "s/(default: if \().*\) begin/\11'b1) begin/"
 mutant pipegs_control_restart "in the scan test the flip-flop stays in the way" 's/test_mode_i \? rst_ni : //'
-mutant pipegs_control_counters "counters are read while the core is kept apart" 's/hits\[i\] && !apart_i/hits[i]/'
+mutant pipegs_control_counters "counters are read while the core is kept apart" 's/hits\[i\] && !apart_i/hits[i]/' control_registers
 mutant pipegs_control_done "a frame is told before its writes are answered" "s/(done_o *= .*) && left_q == '0/\1/"
 mutant pipegs_control_done "a frame that was given up is told" 's/(done_o *= .*) && !give_up_i/\1/'
 mutant pipegs_control_done "those that wait survive a give-up" "s/(end else if \()give_up_i/\11'b0/"
