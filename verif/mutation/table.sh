@@ -582,7 +582,7 @@ mutant pipegs_su "busy reads as starved" 's/(moves\) perf_o = pipegs_pkg::)PerfB
 mutant pipegs_su "busy reads as blocked" 's/(moves\) perf_o = pipegs_pkg::)PerfBusy/\1PerfBlocked/' machine_live
 mutant pipegs_su "starved reads as blocked" 's/^( +perf_o = pipegs_pkg::)PerfStarved/\1PerfBlocked/' machine_live
 mutant pipegs_su "blocked reads as starved" \
-       's/(ready_i\) perf_o = pipegs_pkg::)PerfBlocked/\1PerfStarved/' machine_live
+       's/(ready_i\) perf_o = pipegs_pkg::)PerfBlocked/\1PerfStarved/' su
 mutant pipegs_su "what the sorter does does not count" 's/(moves += gather_moves) \|\| sort_moves/\1/' machine_live
 mutant pipegs_ru "busy reads as starved" 's/(moves \? pipegs_pkg::)PerfBusy/\1PerfStarved/' machine_live
 mutant pipegs_ru "busy reads as blocked" 's/(moves \? pipegs_pkg::)PerfBusy/\1PerfBlocked/' machine_live
