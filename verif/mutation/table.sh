@@ -339,8 +339,6 @@ mutant ru_resolve "regions outside the image are written" 's/ & ~outside_i//' ru
 mutant ru_memory "a write is accepted in the cycle of a read" 's/free && !read_valid_i/free/' ru
 mutant ru_memory "a read asks for half a line" "s/read_valid_i \? '1 : write_halves_i/write_halves_i/" ru
 mutant ru_window "raster order: a row of windows is one row of pixels high" "s/(AddressW'\(before_q\)) << Shift/\1/" ru
-mutant ru_offset "raster order: the first word below the picture is written" 's/(shown_o *= first <) rows/\1= rows/' \
-       ru_live
 mutant ru_offset "raster order: a region goes on below the picture" "s/(more_o *= )first.*/\11'b1;/" ru
 mutant ru_offset "raster order: all regions lie in the low halves of lines" "s/(half_o *= )column\[0\]/\11'b0/" \
        ru_units1
