@@ -468,7 +468,8 @@ mutant pipegs_control_restart "the core is in reset as soon as it is apart" \
 mutant pipegs_control_restart "the reset lasts a cycle" "s/(StateTurned: if \().*\) begin/\11'b1) begin/"
 mutant pipegs_control_restart "the core may begin as its reset ends" "s/(default: if \().*\) begin/\11'b1) begin/"
 mutant pipegs_control_restart "in the scan test the flip-flop stays in the way" 's/test_mode_i \? rst_ni : //'
-mutant pipegs_control_counters "counters are read while the core is kept apart" 's/hits\[i\] && !apart_i/hits[i]/' control_registers
+mutant pipegs_control_counters "counters are read while the core is kept apart" \
+       's/hits\[i\] && !apart_i/hits[i]/' control_registers
 mutant pipegs_control_done "a frame is told before its writes are answered" "s/(done_o *= .*) && left_q == '0/\1/"
 mutant pipegs_control_done "a frame that was given up is told" 's/(done_o *= .*) && !give_up_i/\1/'
 mutant pipegs_control_done "those that wait survive a give-up" "s/(end else if \()give_up_i/\11'b0/"
