@@ -5,9 +5,9 @@
 //         the beats of its unfinished line: one SRAM for each beat of a line but the last, with a word per tag. The
 //         last beat goes to a register, and the SRAMs, read in that cycle, stand beside it in the next one. A cycle
 //         either writes one SRAM or reads them all. With beats of a whole line there is no SRAM and no counter.
-//         Beats of an epoch that is over are dropped; when the epoch changes all counters begin again. What the ports
-//         of colours read is half a line if Coded: half as many beats, which stand in both halves of the line; of a
-//         beat as wide as a line one half is what was asked for.
+//         Beats of an epoch that is over are dropped; when the epoch changes all counters begin again. If Coded, a read
+//         of half a line ends after half as many beats, which stand in both halves of the line; of a beat as wide as a
+//         line one half is what was asked for.
 // Stream  in: beats of R, never refused. out: a line and its tag, never refused by the core.
 // Pace    One beat per cycle; a line shows one cycle after its last beat.
 // Model   sim/memory/axi/axi_memory.hpp has the other side.
@@ -21,6 +21,7 @@ module pipegs_axi_gather #(
 
   input  logic                           turn_i,  // the epoch is another one than in the cycle before
   input  logic                           beat_valid_i,  // a beat of this epoch
+  input  logic                           beat_last_i,   // of its burst
   input  logic [TagW-1:0]                beat_tag_i,
   input  logic [DataW-1:0]               beat_i,
 
@@ -43,8 +44,7 @@ module pipegs_axi_gather #(
     assign line_o = last_q;
   end else begin : gen_parts
     localparam int unsigned BeatW = $clog2(Beats);
-    localparam int unsigned First = pipegs_pkg::WritePorts + pipegs_pkg::Units;  // port of colours
-    logic                        half;  // of a line, is what this port reads
+    logic                        half;  // of a line, is what was read
     logic [Tags*BeatW-1:0]       beats_q;  // of each tag: beats here of its unfinished line
     logic [BeatW-1:0]            beat;
     logic [PortW-1:0]            port;
@@ -52,8 +52,8 @@ module pipegs_axi_gather #(
 
     assign port = beat_tag_i[PortW-1:0];
     assign beat = beats_q[port*BeatW +: BeatW];
-    assign half = pipegs_pkg::Coded && port >= PortW'(First) && port < PortW'(First + pipegs_pkg::Units);
-    assign last = beat == (half ? BeatW'(Beats / 2 - 1) : BeatW'(Beats - 1));
+    assign half = pipegs_pkg::Coded && beat_last_i && beat == BeatW'(Beats / 2 - 1);
+    assign last = half || beat == BeatW'(Beats - 1);
 
     always_ff @(posedge clk_i or negedge rst_ni) begin
       if (!rst_ni) beats_q <= '0;
@@ -97,6 +97,9 @@ module pipegs_axi_gather #(
   assign line_valid_o = line_valid_q && !turn_i;
   assign line_tag_o   = tag_q;
   assign active_o     = line_valid_q;
+
+  logic unused_last;  // lines are whole, or beats are
+  assign unused_last = beat_last_i;
 
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni) assert (!beat_valid_i || (TagW+1)'(beat_tag_i) < (TagW+1)'(Tags))

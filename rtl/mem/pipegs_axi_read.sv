@@ -138,6 +138,7 @@ module pipegs_axi_read #(
     .rst_ni,
     .turn_i(turn),
     .beat_valid_i(now),
+    .beat_last_i(m_axi_i.r.last),
     .beat_tag_i(m_axi_i.r.id[TagW-1:0]),
     .beat_i(m_axi_i.r.data),
     .line_valid_o,

@@ -43,10 +43,11 @@ mutant "the turn goes on from the wrong port" 's/last_q <= port/last_q <= shown_
 proof  arbiter_machine "pipegs_arbiter+ pipegs_round_robin pipegs_first_set" "machine"
 mutant "the lowest port always comes first" "s/last_i\(last_q\)/last_i({PortW{1'b1}})/" "Ports=21"
 
-# Jobs for lines with one item and with two, in a small buffer.
+# Jobs for lines with one item, two and four, in a small buffer.
 proof  line_reader "pipegs_line_reader+ pipegs_fifo+ free_sram" \
        "@default %MemoryW=4 %AddressW=6 %BurstW=1 TagW=1 ItemW=2 ItemsPerLine=2 Lines=4 Jobs=2 IndexW=4 CountW=3;
   @default %MemoryW=4 %AddressW=6 %BurstW=2 TagW=1 ItemW=2 ItemsPerLine=1 Lines=4 Jobs=2 IndexW=4 CountW=3;
+  @default %MemoryW=8 %AddressW=6 %BurstW=1 TagW=1 ItemW=2 ItemsPerLine=4 Lines=4 Jobs=2 IndexW=5 CountW=4;
   @default %MemoryW=8 %AddressW=6 TagW=2 ItemW=4 ItemsPerLine=2 Lines=64 Jobs=8 IndexW=6 CountW=5"
 mutant "asks without credits" 's/(asks_q <= left) \&\& places/\1/'
 mutant "an answer that is used frees no place at once" 's/load \? free_both : free_issue/free_issue/'

@@ -45,7 +45,7 @@ always_comb begin
     assert (lines_left_q == '0 || (line_q >= table_i.first && (MostW+1)'(line_q - table_i.first) +
             (MostW+1)'(lines_left_q) <= (MostW+1)'(table_i.lines)));
     assert (!rsp_valid_i || stored_q < CreditW'(Lines));
-    assert (!(take && job_read_i && !bad) || (lines != '0 && lines <= (CountW+1)'(job_count_i) + (CountW+1)'(HalfW)));
+    assert (!(take && job_read_i && !bad) || (lines != '0 && lines <= (CountW+1)'(job_count_i) + (CountW+1)'(Place)));
     assert (lines_left_q <= (CountW+1)'(1) << CountW);
     assert (!(out_valid_o && out_read_o) || item_q < job_count);
     assert (idle_o == !job_valid);
