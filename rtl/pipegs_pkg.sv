@@ -1347,8 +1347,8 @@ package pipegs_pkg;
     48'h0084_10030e52,  // CONFIG_POINT
     48'h0080_10048004,  // CONFIG_COUNTS
     48'h000c_c82ec387,  // CONFIG_HASH
-    48'h0008_361db30a,  // LAYOUT
-    48'h0004_00030000,  // VERSION
+    48'h0008_cd88f65d,  // LAYOUT
+    48'h0004_00030001,  // VERSION
     48'h0000_47504950  // ID
   };
 

@@ -18,11 +18,11 @@
 #define PIPEGS_VERSION_MINOR 0x0000ffffu /* goes up when something is added */
 #define PIPEGS_VERSION_MAJOR 0xffff0000u /* goes up when a driver has to change */
 #define PIPEGS_VERSION_MAJOR_SHIFT 16
-#define PIPEGS_VERSION_VALUE 0x00030000u
+#define PIPEGS_VERSION_VALUE 0x00030001u
 
 #define PIPEGS_LAYOUT 0x008u /* which table of registers this is */
 #define PIPEGS_LAYOUT_HASH 0xffffffffu /* FNV-1a of all names and places: the driver has the same */
-#define PIPEGS_LAYOUT_VALUE 0x361db30au
+#define PIPEGS_LAYOUT_VALUE 0xcd88f65du
 
 #define PIPEGS_CONFIG_HASH 0x00cu /* which machine this is */
 #define PIPEGS_CONFIG_HASH_HASH 0xffffffffu /* FNV-1a of name=value; of every choice in config.def */
@@ -126,6 +126,8 @@
 #define PIPEGS_CONFIG_POINT_OVERFLOW_SHIFT 11
 #define PIPEGS_CONFIG_POINT_SH_DEGREE 0x00030000u /* highest SH degree */
 #define PIPEGS_CONFIG_POINT_SH_DEGREE_SHIFT 16
+#define PIPEGS_CONFIG_POINT_CODED 0x00040000u /* 1: records of Gaussians are codes of 48 bytes */
+#define PIPEGS_CONFIG_POINT_CODED_SHIFT 18
 #define PIPEGS_CONFIG_POINT_TABLE_CELLS 0xfff00000u /* entries of the table of cells */
 #define PIPEGS_CONFIG_POINT_TABLE_CELLS_SHIFT 20
 
@@ -584,6 +586,7 @@ struct pipegs_configuration {
   uint32_t tight_boxes; /* 1: a node holds the box around its ellipsoids */
   uint32_t overflow; /* 1: the overflow area is used */
   uint32_t sh_degree; /* highest SH degree */
+  uint32_t coded; /* 1: records of Gaussians are codes of 48 bytes */
   uint32_t table_cells; /* entries of the table of cells */
   uint32_t pos_w; /* offset of a mean */
   uint32_t quat_w; /* quaternion component */
@@ -634,6 +637,7 @@ struct pipegs_configuration {
   FIELD(tight_boxes, PIPEGS_CONFIG_POINT, 10, 1) \
   FIELD(overflow, PIPEGS_CONFIG_POINT, 11, 1) \
   FIELD(sh_degree, PIPEGS_CONFIG_POINT, 16, 2) \
+  FIELD(coded, PIPEGS_CONFIG_POINT, 18, 1) \
   FIELD(table_cells, PIPEGS_CONFIG_POINT, 20, 12) \
   FIELD(pos_w, PIPEGS_CONFIG_GAUSSIAN, 0, 8) \
   FIELD(quat_w, PIPEGS_CONFIG_GAUSSIAN, 8, 8) \

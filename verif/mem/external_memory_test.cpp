@@ -53,11 +53,11 @@ TEST(ExternalMemory, AReadOfHalfALineGivesThatHalfAndCountsAsOne) {
   for (const int halves : {1, 2, 3}) {
     memory.step();
     memory.request(false, 9, 2, nullptr, 1, halves);
-    const MemoryLine* answer = nullptr;
-    while (answer == nullptr) memory.step(), answer = memory.answer();
-    for (uint32_t i = 0; i < 16; ++i) EXPECT_EQ((*answer)[i] == i + 1, (halves >> i / 8 & 1) != 0) << halves;
+    while (memory.answer() == nullptr) memory.step();
+    const MemoryLine& line = memory.answer()->data;
+    for (uint32_t i = 0; i < 16; ++i) EXPECT_EQ(line[i] == i + 1, (halves >> i / 8 & 1) != 0) << halves;
   }
-  EXPECT_EQ(memory.traffic.halves_read, 4u);
+  EXPECT_EQ(memory.traffic()[2].halves_read, 4u);
 }
 
 TEST(ExternalMemory, HoldsNoiseWhereNobodyHasWritten) {

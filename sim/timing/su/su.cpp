@@ -49,7 +49,7 @@ void Su::step(Machine& m, Cycle now) {
     external(now, is);
     spill(m, is);
   }
-  show_outside(m, now, is);
+  show_outside(m, now);
   collect(m, now, is);
   arrive(m, now);
   if (line_used_) --flight_, line_used_ = false, moved_ = true;

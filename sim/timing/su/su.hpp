@@ -186,7 +186,7 @@ class Su {
   void ask_ways(Cycle now, bool line, bool setup);
   bool rise(const Now& is);
   void keep_keys(const Now& is, bool merges);
-  void show_outside(Machine& m, Cycle now, const Now& is);
+  void show_outside(Machine& m, Cycle now);
   void collect(Machine& m, Cycle now, const Now& is);
   void arrive(Machine& m, Cycle now);
   void leave(Machine& m, Cycle now);
