@@ -61,6 +61,9 @@ LEFT_OUT = {  # of fast: what each of its steps towards large scenes gives, by t
     "buckets": "--set bucket_bits=6",
 }
 GAINED = ("own", "statue", "showroom", "campsite")
+# What area and energy these steps cost, and what was tried beside them.
+TRADED = ("occlusion=0", "pace=8", "fronts=1", "bucket_bits=6", "nearest_nodes=512", "records=2048", "fronts=4")
+TRADED_SETS = " ".join(f"--set {one}" for one in TRADED)
 EIGHT = ("own", "terrace", "showroom", "campsite")  # of wide, on eight channels
 SCALED = {  # our own scene in parts, and the view: millions of Gaussians, then pixels
     **{f"{millions}m": (f"own_{millions}m", 0) for millions in (1, 4, 16)},
@@ -111,6 +114,8 @@ TABLE = [
                   exit_codes=(0, 1)) for scene in ("terrace", "statue", "plushdog")],
     Measurement("what_if/own", "build/pipegs what-if --set units=2 --set bus_w=128 --set alpha_w=8,window=64", PRICED,
                 points=("fast",), read=shown),
+    *[Measurement(f"prices/{scene}", f"build/pipegs what-if {{scene}} {TRADED_SETS} --json", PRICED,
+                  scene, points=("fast",)) for scene in ("own", "showroom")],
     Measurement("shapes/own", "build/pipegs study shapes --design fast --runs 24 --json", PRICED, points=("fast",),
                 chart="shapes_own.svg"),
     Measurement("accuracy/own", f"build/pipegs accuracy --design exact --knobs {','.join(KNOBS)} --points 0 "

@@ -84,8 +84,8 @@ class Coverage {
   std::map<std::string, std::map<Point, bool>> modules_;
 };
 
-// More than Sorting Units hold: rows of specks that begin at one depth, so that all are fetched before any leaves, one on
-// the other; and specks a little behind the rows' ends, which still find a place when what is before them has left.
+// More than Sorting Units hold: rows of specks that begin at one depth, so that all are fetched before any leaves, one
+// on the other; and specks a little behind the rows' ends, which still find a place when what is before them has left.
 Scene rows_of_specks() {
   constexpr int kRows = 1200;
   std::vector<Gaussian> gaussians;

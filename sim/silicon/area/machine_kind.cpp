@@ -31,6 +31,9 @@ int knob_value(const Config& config, const ConfigEntry& knob) {
   return knob.member == &Config::fronts ? config.pu_fronts() : config.*knob.member;
 }
 
+// What a block sees of a knob: of a number of records, the bits that name one.
+int seen(const ConfigEntry& knob, int value) { return knob.member == &Config::records ? clog2(value) : value; }
+
 }  // namespace
 
 Config config_of(const std::string& difference) {
@@ -71,8 +74,8 @@ std::vector<double> kind_ridges() {
 double scaled(const Config& config, const std::string& name) {
   const auto knob = known_knobs().find(name);
   if (knob == known_knobs().end()) throw ConfigError("no entry " + name);
-  const int low = knob->second.low, high = knob->second.high;
-  return (2.0 * knob_value(config, knob->second) - low - high) / std::max(1, high - low);
+  const int low = seen(knob->second, knob->second.low), high = seen(knob->second, knob->second.high);
+  return (2.0 * seen(knob->second, knob_value(config, knob->second)) - low - high) / std::max(1, high - low);
 }
 
 bool within(const Config& config, const std::vector<Config>& points) {

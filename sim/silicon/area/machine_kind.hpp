@@ -26,7 +26,8 @@ MachineKind kind_of(const Config& config);
 std::vector<double> kind_terms(const Config& config);
 std::vector<double> kind_ridges();
 
-// From -1 to 1 over the knob's legal range. ConfigError when there is no such knob.
+// From -1 to 1 over the knob's legal range, `records` by the bits of a slot: logic grows with those, and what a store
+// of records costs is SramCost's. ConfigError when there is no such knob.
 double scaled(const Config& config, const std::string& knob);
 
 // Whether one of the points is of this kind and tests regions as it does, which has blocks of its own, and each free

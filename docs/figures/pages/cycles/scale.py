@@ -2,10 +2,19 @@
 """Tables of docs/cycles/scale.md."""
 from data import data
 from formats import fixed, group, listing, millions, percent, table, times
-from measurements import EIGHT, GAINED, LEFT_OUT, SIX
+from measurements import EIGHT, GAINED, LEFT_OUT, SIX, TRADED
 from pages.frames import PINS, SCENE_NAMES, total_bytes
 
-MEASURED = ["rtl/*_fast", "rtl/terrace_wide", "gains/*", "wide/*", "scale/*", "silicon/terrace_*", "prints/all"]
+MEASURED = [
+    "rtl/*_fast",
+    "rtl/terrace_wide",
+    "gains/*",
+    "prices/*",
+    "wide/*",
+    "scale/*",
+    "silicon/terrace_*",
+    "prints/all",
+]
 KINDS = {"nodes": "nodes", "geometry": "geometry", "color": "colours", "sort_overflow": "sorting", "raster": "pixels"}
 
 
@@ -88,6 +97,32 @@ def gains():
     ]
     rows += [[what[name], *[cell(scene, name) for scene in GAINED]] for name in LEFT_OUT]
     return table(["", *GAINED], rows)
+
+
+def prices():
+    """`fast` and each change of it: area, clock, and what a frame takes."""
+    machines = {scene: data.prices[scene].machines for scene in ("own", "showroom")}
+
+    def area(i):
+        """With ~ where no such machine was synthesised, nor one on each side of it."""
+        silicon = machines["own"][i].silicon
+        return ("~" if silicon.extrapolated_area else "") + fixed(silicon.mm2.mid, 3)
+
+    def frame_of(scene):
+        return [
+            (f"{scene}: cycles", lambda i: machines[scene][i].cycles, group),
+            ("MB", lambda i: machines[scene][i].megabytes, fixed, 1),
+            ("mJ", lambda i: machines[scene][i].mj, fixed, 2),
+        ]
+
+    return listing(
+        "",
+        [(f"`{name}`", i) for i, name in enumerate(("fast", *TRADED))],
+        ("mm2", area),
+        ("GHz", lambda i: machines["own"][i].ghz, fixed, 3),
+        *frame_of("own"),
+        *frame_of("showroom"),
+    )
 
 
 def wide():
