@@ -150,7 +150,7 @@ void read_list(const GoldenInput& input, GoldenWindow& window) {
 
 void blend(const GoldenInput& input, GoldenWindow& window) {
   const Config& config = input.packed->config;
-  const BlendConstants constants(config);
+  const BlendConstants constants(config, input.frame.raster.rest);
   const PuRows rows(config);
   BlendCounts counts;
   RegionSet done;

@@ -301,6 +301,8 @@ package pipegs_pkg;
   localparam int unsigned TagW           = 5;  // who asked: the requester's port
   // a pixel stops before its transmittance falls below 1/TCut: ceil(2^(TW-1) / TCut)
   localparam int unsigned TStop          = 27;
+  // transmittance below 1, at which a frame's pixels stop; absent if none stops
+  localparam int unsigned RestW          = 18;
   // lines of a read, less one: a request reads up to eight lines of one aligned group
   localparam int unsigned BurstW         = 3;
   localparam int unsigned PerfW          = 40;  // a performance counter, cycles or events
@@ -572,11 +574,14 @@ package pipegs_pkg;
   localparam int unsigned OpenBits = 101;
 
   typedef struct packed {
+    // u0.(TW-1): the Gaussian that leaves less than this takes all that is left, and the pixel stops; 0: 1/TCut, and
+    // that Gaussian is not blended
+    logic [RestW-1:0] rest;
     windows_t windows;
     logic [SizeW-1:0] height;  // pixels
     logic [SizeW-1:0] width;  // pixels
   } raster_t;
-  localparam int unsigned RasterBits = 70;
+  localparam int unsigned RasterBits = 88;
 
   typedef struct packed {
     // Gaussians at one depth from which on a window is walked part by part; 0: never is
@@ -587,7 +592,7 @@ package pipegs_pkg;
     lens_t lens;
     camera_t camera;
   } frame_t;
-  localparam int unsigned FrameBits = 1268;
+  localparam int unsigned FrameBits = 1286;
 
   typedef struct packed {
     logic [CountW-1:0] count;  // cell: groups; group: chunks; chunk: Gaussians
@@ -1347,7 +1352,7 @@ package pipegs_pkg;
     48'h0084_10030e52,  // CONFIG_POINT
     48'h0080_10048004,  // CONFIG_COUNTS
     48'h000c_c82ec387,  // CONFIG_HASH
-    48'h0008_cd88f65d,  // LAYOUT
+    48'h0008_ef5eb221,  // LAYOUT
     48'h0004_00030001,  // VERSION
     48'h0000_47504950  // ID
   };
@@ -1362,21 +1367,22 @@ package pipegs_pkg;
   // What a start queues: frame_t, areas_t and picture_t in this order, the first one lowest. A slot is {byte
   // offset of its low word (16 bits), lowest bit of its value in what is queued (16), width of the value (8),
   // bit of the slot at which it begins (8), 1 if it is signed (8)}.
-  localparam int unsigned ControlShadowBits = 1587;
-  localparam int unsigned ControlSlots = 60;
+  localparam int unsigned ControlShadowBits = 1605;
+  localparam int unsigned ControlSlots = 61;
   localparam logic [ControlSlots*56-1:0] ControlSlotTable = {
-    56'h0490_0627_0c_06_00,  // stride
-    56'h0488_0605_22_06_00,  // base
-    56'h0480_0604_01_00_00,  // format
-    56'h0438_05e2_22_06_00,  // picture
-    56'h0430_05c0_22_06_00,  // overflow
-    56'h0428_059e_22_06_00,  // pixels
-    56'h0420_057c_22_06_00,  // colors
-    56'h0418_055a_22_06_00,  // gaussians
-    56'h0410_0538_22_06_00,  // chunks
-    56'h0408_0516_22_06_00,  // groups
-    56'h0400_04f4_22_06_00,  // cells
-    56'h0380_04dc_18_00_00,  // walk_most
+    56'h0490_0639_0c_06_00,  // stride
+    56'h0488_0617_22_06_00,  // base
+    56'h0480_0616_01_00_00,  // format
+    56'h0438_05f4_22_06_00,  // picture
+    56'h0430_05d2_22_06_00,  // overflow
+    56'h0428_05b0_22_06_00,  // pixels
+    56'h0420_058e_22_06_00,  // colors
+    56'h0418_056c_22_06_00,  // gaussians
+    56'h0410_054a_22_06_00,  // chunks
+    56'h0408_0528_22_06_00,  // groups
+    56'h0400_0506_22_06_00,  // cells
+    56'h0388_04ee_18_00_00,  // walk_most
+    56'h0380_04dc_12_00_00,  // raster.rest
     56'h0378_04d2_0a_00_00,  // raster.windows.last_y
     56'h0370_04c8_0a_00_00,  // raster.windows.last_x
     56'h0368_04be_0a_00_00,  // raster.windows.first_y

@@ -4,7 +4,8 @@
 // Paper   Eq. 2: C += c * alpha * T,  T *= 1 - alpha.
 // Idea    One product serves weight and update: w = T * alpha, T' = T - w, so T plus the sum of all weights stays 1.
 //         INRIA's stop rule: when T' would fall below 1/TCut (1e-4) the pixel is done and this Gaussian is not blended
-//         (EarlyStop 0: never; done says only that the pixel lies outside the image).
+//         (EarlyStop 0: never; done says only that the pixel lies outside the image). With rest_i: when T' would fall
+//         below it, this Gaussian takes all of T.
 // Stream  cycle 0 (enable_1_i): alpha code, T and done. cycle 1 (enable_2_i): colour. cycle 2: accumulated colour in,
 //         new T, done and colour out. T u1.(TW-1), alpha u0.AlphaW, colour u2.(ColorW-2), accumulated u2.(RgbW-2).
 // Round   w and w * colour to nearest, ties up; the accumulated colour saturates at the top (wraps if Saturation is 0).
@@ -13,6 +14,7 @@
 
 module ru_blend (
   input  logic                                    clk_i,
+  input  logic [pipegs_pkg::TW-1:0]               rest_i,  // of the frame; 0: INRIA's rule
 
   input  logic                                    enable_1_i,
   input  logic [pipegs_pkg::AlphaW-1:0]           code_i,
@@ -55,11 +57,13 @@ module ru_blend (
   logic [TW-1:0]   weight_1_q, t_1_q, t_2_q;
   logic            done_1_q, done_2_q;
   logic [AddW-1:0] red_2_q, green_2_q, blue_2_q;
-  logic [TW-1:0]   remain;
-  logic            hold;  // the pixel was done, or is now
+  logic [TW-1:0]   remain, weight;
+  logic            stops, hold;  // hold: the Gaussian is not blended
 
   assign remain = t_1_q - weight_1_q;
-  assign hold   = done_1_q || (pipegs_pkg::EarlyStop != 0 && remain < TW'(pipegs_pkg::TStop));
+  assign stops  = pipegs_pkg::EarlyStop != 0 && remain < (rest_i == '0 ? TW'(pipegs_pkg::TStop) : rest_i);
+  assign hold   = done_1_q || (stops && rest_i == '0);
+  assign weight = stops ? t_1_q : weight_1_q;
 
   always_ff @(posedge clk_i) begin
     if (enable_1_i) begin
@@ -68,11 +72,11 @@ module ru_blend (
       done_1_q   <= done_i;
     end
     if (enable_2_i) begin
-      t_2_q     <= hold ? t_1_q : remain;
-      done_2_q  <= hold;
-      red_2_q   <= hold ? '0 : scaled(weight_1_q, red_i);
-      green_2_q <= hold ? '0 : scaled(weight_1_q, green_i);
-      blue_2_q  <= hold ? '0 : scaled(weight_1_q, blue_i);
+      t_2_q     <= hold ? t_1_q : t_1_q - weight;
+      done_2_q  <= done_1_q || stops;
+      red_2_q   <= hold ? '0 : scaled(weight, red_i);
+      green_2_q <= hold ? '0 : scaled(weight, green_i);
+      blue_2_q  <= hold ? '0 : scaled(weight, blue_i);
     end
   end
 

@@ -96,6 +96,11 @@ void ViewArguments::add(CLI::App& app, DesignPoints which) {
       "INT", [this](const std::string& text) { walk_most = parse_integer<uint64_t>(text, 0, (uint64_t{1} << 24) - 1); },
       [] { return fmt::to_string(SimulateOptions{}.walk_most); })
       .shows_default();
+  add_real(app, "--rest", rest,
+           "a pixel of which less would be left gives all of it to its last Gaussian and stops, 0: INRIA's rule, at "
+           "1/10000 (--set t_cut)",
+           {.low = 0, .high = 0.999})
+      .shows_default();
   add_real(app, "--near", near_plane, "near plane, scene units", kPositive).shows_default();
 }
 
@@ -134,6 +139,7 @@ SimulateOptions ViewArguments::one_of_several() const {
   if (!window.empty()) options.window = {window.at(0), window.at(1)};
   options.walk_most = walk_most.value_or(options.walk_most);
   options.near_plane = near_plane;
+  options.rest = rest;
   return options;
 }
 

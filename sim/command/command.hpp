@@ -74,6 +74,7 @@ struct ViewArguments : MachineArguments {
   std::vector<std::string> design_points;
   std::optional<uint64_t> walk_most = {};  // where it is given
   double near_plane = 0.2;
+  double rest = 0;  // transmittance, SimulateOptions::rest
 
   void add(CLI::App& app, DesignPoints which = DesignPoints::kOne);
   SimulateOptions options() const;  // ConfigError where --walk-most is given and no machine has walks, as all below

@@ -20,7 +20,7 @@ const OptionGroup kGroups[] = {
      {"--cameras", "--view", "--views", "--path", "--size", "--scale", "--window", "--crop", "--ignore-distortion",
       "--orbit", "--from", "--look-at", "--up", "--fov", "--near", "--background"}},
     {"Machine",
-     {"--design", "--designs", "--config", "--set", "--walk-most", "--picture", "--effects", "--netlist", "--gates"}},
+     {"--design", "--designs", "--config", "--set", "--walk-most", "--rest", "--picture", "--effects", "--netlist", "--gates"}},
     {"Memory", {"--memory", "--latency", "--bandwidth", "--jitter"}},
     {"Output",
      {"--out", "--json", "--page", "--against", "--viewer", "--frames", "--waves", "--waves-around", "--store",

@@ -110,7 +110,7 @@ std::string Mismatch::line() const {
 StreamCheck::StreamCheck(const GoldenInput& input)
     : input_(input),
       config_(input.packed->config),
-      constants_(config_),
+      constants_(config_, input.frame.raster.rest),
       rows_(config_),
       windows_x_(input.frame.raster.windows.last_x - input.frame.raster.windows.first_x + 1),
       chunk_window_(config_.units, 0),

@@ -82,7 +82,7 @@ int explain(const ExplainArguments& arguments) {
   for (const StreamCheck::Seen& seen : simulation.seen) rtl.emplace(simulation.packed.scene_index(seen.index), seen);
 
   const Config& config = options.config;
-  const BlendConstants constants(config);
+  const BlendConstants constants(config, simulation.input.frame.raster.rest);
   const GoldenWindow window =
       golden_window(simulation.input, static_cast<uint64_t>(x / side), static_cast<uint64_t>(y / side));
   const int region = region_at(config, x % side / 8, y % side / 8), bit = region_bit(config, region),
