@@ -121,16 +121,19 @@ SimulateOptions ViewArguments::on(const DesignPoint& other) const {
 
 SimulateOptions ViewArguments::options() const {
   const SimulateOptions options = one_of_several();
-  check_walks({options});
+  check_fields({options});
   return options;
 }
 
-void ViewArguments::check_walks(const std::vector<SimulateOptions>& machines) const {
+void ViewArguments::check_fields(const std::vector<SimulateOptions>& machines) const {
   const auto walks = [](const SimulateOptions& one) { return one.config.has_walks(); };
   if (walk_most && std::none_of(machines.begin(), machines.end(), walks))
     throw ConfigError(
         "--walk-most: found no machine that walks windows part by part, expected one with order=2 and "
         "windows of 128 pixels, such as `fast`");
+  const auto stops = [](const SimulateOptions& one) { return one.config.early_stop != 0; };
+  if (rest != 0 && std::none_of(machines.begin(), machines.end(), stops))
+    throw ConfigError("--rest: found no machine whose pixels stop, expected one with early_stop=1");
 }
 
 SimulateOptions ViewArguments::one_of_several() const {
@@ -165,7 +168,7 @@ std::vector<SimulateOptions> ViewArguments::options(const std::vector<const Desi
                                     first, side));
     }
   }
-  check_walks(each);
+  check_fields(each);
   return each;
 }
 

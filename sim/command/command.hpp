@@ -77,10 +77,11 @@ struct ViewArguments : MachineArguments {
   double rest = 0;  // transmittance, SimulateOptions::rest
 
   void add(CLI::App& app, DesignPoints which = DesignPoints::kOne);
-  SimulateOptions options() const;  // ConfigError where --walk-most is given and no machine has walks, as all below
+  // ConfigError where --walk-most or --rest is given and no machine has that field of a frame, as all below.
+  SimulateOptions options() const;
   // For who has several of one kind or another: without that check, and the check.
   SimulateOptions one_of_several() const;
-  void check_walks(const std::vector<SimulateOptions>& machines) const;
+  void check_fields(const std::vector<SimulateOptions>& machines) const;
   // On other design points; the settings must leave alone what makes one, and with --window their windows must be of
   // one size.
   std::vector<SimulateOptions> options(const std::vector<const DesignPoint*>& several) const;

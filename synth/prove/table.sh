@@ -177,7 +177,13 @@ mutant "the last beat goes to the lowest place" 's/line_o = \{last_q, parts\}/li
 proof  axi_read "pipegs_axi_read+ pipegs_axi_gather free_sram axi_check" \
        "@default %MemoryW=16 %AddressW=13 %TagW=1 %MemoryPorts=2 %BusW=16 %AxiAddrW=16 AddrW=16 Reads=3;
   @default %MemoryW=16 %AddressW=13 %TagW=1 %MemoryPorts=2 %BusW=8 %AxiAddrW=16 AddrW=16 Reads=3;
-  @default %MemoryW=32 %AddressW=13 %TagW=1 %MemoryPorts=2 %BusW=8 %AxiAddrW=16 AddrW=16 Reads=3"
+  @default %MemoryW=32 %AddressW=13 %TagW=1 %MemoryPorts=2 %BusW=8 %AxiAddrW=16 AddrW=16 Reads=3;
+  @record=48 %MemoryW=32 %AddressW=13 %TagW=1 %MemoryPorts=2 %BusW=32 %AxiAddrW=16 AddrW=16 Reads=3;
+  @record=48 %MemoryW=32 %AddressW=13 %TagW=1 %MemoryPorts=2 %BusW=8 %AxiAddrW=16 AddrW=16 Reads=3"
+mutant "the other half of the line" "s/halves == 2'b10/halves == 2'b01/" \
+       "@record=48 %MemoryW=32 %AddressW=13 %TagW=1 %MemoryPorts=2 %BusW=32 %AxiAddrW=16 AddrW=16 Reads=3"
+mutant "all beats of half a line" "s/halves != '1 \? 8'\(HalfBeats - 1\) : //" \
+       "@record=48 %MemoryW=32 %AddressW=13 %TagW=1 %MemoryPorts=2 %BusW=8 %AxiAddrW=16 AddrW=16 Reads=3"
 mutant "the address is written over while it waits" 's/free       = !ar_valid_q \|\| m_axi_i.ar_ready/free = 1/'
 mutant "one beat too many" "s/ - 8'd1;/;/"
 mutant "beats of half the bus" 's/(DataW) \/ 8\)\);$/\1 \/ 16));/' \
@@ -201,7 +207,9 @@ proof  axi_manager \
   @default %MemoryW=32 %AddressW=13 %TagW=2 %MemoryPorts=3 %WritePorts=2 %BusW=8 %AxiAddrW=16 AddrW=16 Reads=3
   Writes=3 Fenced=2;
   @default %AddressW=10 %TagW=2 %MemoryPorts=3 %WritePorts=2 %BusW=128 %AxiAddrW=16 AddrW=16 Reads=3 Writes=3 Fenced=2;
-  @default %AddressW=10 %TagW=2 %MemoryPorts=3 %WritePorts=2 %BusW=512 %AxiAddrW=16 AddrW=16 Reads=3 Writes=3 Fenced=2"
+  @default %AddressW=10 %TagW=2 %MemoryPorts=3 %WritePorts=2 %BusW=512 %AxiAddrW=16 AddrW=16 Reads=3 Writes=3 Fenced=2;
+  @record=48 %AddressW=10 %TagW=2 %MemoryPorts=3 %WritePorts=2 %BusW=512 %AxiAddrW=16 AddrW=16 Reads=3 Writes=3
+  Fenced=2"
 mutant "the fence does not see the writes" 's/writes_i\(writes\)/writes_i(writes ^ writes)/'
 mutant "the last tag that may write is not fenced" 's/WritePorts\)\)/WritePorts) - 1)/'
 mutant "a read is accepted without room" 's/ \&\& read_room;/;/'

@@ -101,6 +101,12 @@ mutant pipegs_recip "one unit in one entry of the table" "s/18'd204596/18'd20459
 mutant pipegs_recip "the result is cut instead of rounded" 's/ \+ \(\(OutF \+ 1\).\(1\) << \(Cut - 1\)\)//'
 mutant pu_phases "a new record is let into an output that was not taken" \
        's/(out_free *= )!out_valid_q \|\| out_ready_i/\11/' pu_shape
+mutant pipegs_sqrt "half of the rounding dropped" "s/ExactW'\(1\) << \(DropF - 1\)/ExactW'(0)/"
+mutant pu_decode "the largest component stands one place off" "s/axis == 2'd1 \? largest/axis == 2'd2 ? largest/"
+mutant pu_decode "a transparent Gaussian may be as large as an opaque one" "s/PlaceW'\(48\)/PlaceW'(0)/"
+mutant pu_decode "the last code is a small scale" "s/steps == '1 \|\| //"
+mutant pu_decode "an end has scales" 's/ & \{3 \* ScaleW\{data\}\}//'
+mutant pu_decode "a stage goes on while the output waits" 's/ & \{Stages\{fetched_ready_i\}\}//'
 mutant pu_cull "rounding of the view coordinates: + half becomes - half" \
        's/\+ (\$signed\(\(SumW \+ 1\).\(1\)\)\) >>> 1)/- \1/'
 mutant pu_cull "a part reaches as far as its window" "s/walk6\[2\] \? SpanW/1'b0 ? SpanW/" pu_cull_tight
@@ -243,7 +249,10 @@ mutant pu_color_basis "a result lands in an output that was not taken" \
 mutant pu_color_fetch "a line behind the table is asked for" 's/number < colors_i/number <= colors_i/' pu_color
 mutant pu_color_fetch "a job behind a bad one is taken" 's/ && !bad_q;/;/' pu_color
 mutant pu_color_fetch "a job is taken while a request is pending" 's/room && !mem_valid_q/room/' pu_color
-mutant pu_color_sum "coefficients masked at the wrong degree" "s/degree == 2'd1(\) coefs)/degree == 2'd2\1/" pu_color
+mutant pu_color_mantissas "coefficients masked at the wrong degree" "s/degree_i == 2'd1(\) coefs)/degree_i == 2'd2\1/" pu_color
+mutant pu_color_codes "band 3 has the exponent of band 2" 's/i < 8 \? 1 : 2/1/' pu_color_coded
+mutant pu_color_codes "codes are taken for mantissas" 's/ << shift_pair.of\[i\/3\]//' pu_color_coded
+mutant pu_color_codes "the eighths of the lower half only" 's/one \? quarter_i\[2\] : //' pu_color_coded
 mutant pu_color "busy: AND for OR" 's/fetch_busy \|\| sum_busy/fetch_busy \&\& sum_busy/'
 
 # --- rtl/su -----------------------------------------------------------------------------------------------------------
@@ -318,7 +327,9 @@ mutant su_external "a run is as long when it is merged as its groups were" \
 
 # --- rtl/ru -----------------------------------------------------------------------------------------------------------
 group ru "RU"
-mutant ru_blend "stop: < becomes <=" 's/remain < TW/remain <= TW/'
+mutant ru_blend "stop: < becomes <=" 's/remain < \(/remain <= (/'
+mutant ru_blend "who stops a pixel takes its own weight only" 's/(weight = )stops \? t_1_q : /\1/'
+mutant ru_blend "all frames have the same limit" "s/rest_i == '0 \? (TW'\(pipegs_pkg::TStop\)) : rest_i/\1/"
 mutant ru_blend "half of the rounding dropped" 's/ \+ Half\) >> AlphaW/) >> AlphaW/'
 mutant ru_own "every row begins with the same unit" 's/ \+ Step \* \(r \/ RegionsX\)//' ru
 mutant ru_slot "shift off by one" 's/\$clog2\(([a-z_:]*Units)\)/($clog2(\1) + 1)/' ru
@@ -520,6 +531,8 @@ mutant pipegs_axi_gather "one counter for all tags" "s/port = beat_tag_i\[PortW-
 mutant pipegs_axi_gather "half a line of the old core is completed for the new one" \
        "s/else if \(turn_i\) beats_q <= '0;//" \
        axi_manager_128
+mutant pipegs_axi_gather "half a line stands above only" 's/half_q \? last_q : parts/parts/' axi_manager_256_coded
+mutant pipegs_axi_gather "half a line waits for all beats" 's/(last = )half \|\| /\1/' axi_manager_128_coded
 mutant pipegs_axi_gather "the last beat stands first" 's/\{last_q, parts\}/{parts, last_q}/' axi_manager_256
 mutant pipegs_axi_write "WLAST one beat early" "s/BeatW'\(Beats - 1\)/BeatW'(Beats - 2)/" axi_manager_128
 mutant pipegs_axi_write "data changes while it waits" \
@@ -597,7 +610,7 @@ mutant pu_marks "a layer's end keeps the depth that it had" \
        "s/if \(splat_is_end\) splat_o/if (1'b0) splat_o/" machine_live
 mutant pu_late "regions that are done stay" 's/tiles_i\.mask & ~part_done/tiles_i.mask/' machine_live
 mutant pu_late "a Gaussian without a region asks for its colour" "s/( drop *= ).*;/\11'b0;/" machine_live
-mutant pu_front "asleep while Gaussians are in the cull" 's/(culls_o = )cull_busy \|\| /\1/' machine_live
+mutant pu_front "asleep while Gaussians are in the cull" 's/(culls_o = )decode_busy \|\| cull_busy \|\| /\1/' machine_live
 mutant pu_shape "asleep while Gaussians are in it" "s/(busy_o *= )\|busy/\11'b0/" machine_live
 mutant pu_back "asleep while splats are made" 's/(busy_o *= )window_busy \|\| /\1/' machine_live
 mutant pipegs_pu "a line from memory does not wake it" 's/^( +)geometry_rsp_valid_i \|\| /\1/' machine_live

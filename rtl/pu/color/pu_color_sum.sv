@@ -48,7 +48,6 @@ module pu_color_sum (
   localparam int unsigned TotalW = WorkW + 1;
   localparam int unsigned ProductW = CoefW + BasisW;
   localparam int unsigned SumW = ProductW + 4;          // 15 products
-  localparam int unsigned PairW = 6 * CoefW;            // coefficients of one step
   localparam int unsigned Steps = 8;
   localparam int unsigned ShiftTop = 25 + CoefW + pipegs_pkg::BasisF - WorkF;  // shift - 1 at exponent 0; at least 31
   localparam int unsigned ShiftW = 6;
@@ -118,78 +117,25 @@ module pu_color_sum (
   end
 
   if (pipegs_pkg::Coded) begin : gen_codes
-    // An eighth of a line at degree 1, else half of it; see cpp_model/pu/color/sh_code.hpp.
-    localparam int unsigned HalfW   = pipegs_pkg::MemoryW / 2;
-    localparam int unsigned EighthW = pipegs_pkg::MemoryW / 8;
-    localparam int unsigned DropW   = pipegs_pkg::ShDropW;
-    localparam int unsigned Code1W  = pipegs_pkg::ShBand1W;
-    localparam int unsigned Code2W  = pipegs_pkg::ShBand2W;
-    localparam int unsigned Drops   = ExpW + 3 * DropW;      // where the codes begin, above degree 1
-    localparam int unsigned Band2   = Drops + 9 * Code1W;
-    localparam int unsigned ThreeW  = 3 * Code1W;            // three channels of one function
-    typedef struct packed {logic [2*Steps-1:0][ThreeW-1:0] of;} codes_t;
-    typedef struct packed {logic [2:0][DropW-1:0] of;} shifts_t;  // of each band, its codes to mantissas
-    logic                     one;  // degree of the scene
-    logic [HalfW-1:0]         half;
-    logic [EighthW-1:0]       eighth;
-    codes_t                   codes;
-    shifts_t                  shifts;
-    logic [1:0][ThreeW-1:0]   code_pair;
-    logic [1:0][DropW-1:0]    shift_pair;
-
-    assign one    = sh_degree_i == pipegs_pkg::KindW'(1);
-    assign half   = (one ? task_i.quarter[2] : task_i.quarter[0]) ? line_i[HalfW +: HalfW] : line_i[0 +: HalfW];
-    assign eighth = half[EighthW*32'(task_i.quarter[1:0]) +: EighthW];
-    assign slot_exponent = one ? eighth[ExpW-1:0] : half[ExpW-1:0];
-    always_comb begin
-      for (int unsigned band = 0; band < 3; band += 1) begin
-        shifts.of[band] = DropW'(CoefW - (band == 0 ? Code1W : Code2W));
-        if (!one) begin
-          if (half[ExpW+DropW*band +: DropW] > shifts.of[band]) shifts.of[band] = '0;
-          else shifts.of[band] = shifts.of[band] - half[ExpW+DropW*band +: DropW];
-        end
-      end
-      codes = '0;
-      for (int unsigned n = 0; n < 15; n += 1) begin
-        for (int unsigned c = 0; c < 3; c += 1) begin
-          if (n < 3) codes.of[n][c*Code1W +: Code1W] = half[Drops+(3*n+c)*Code1W +: Code1W];
-          else codes.of[n][c*Code1W +: Code1W] = Code1W'($signed(half[Band2+(3*(n-3)+c)*Code2W +: Code2W]));
-          if (n < 3 && one) codes.of[n][c*Code1W +: Code1W] = eighth[ExpW+(3*n+c)*Code1W +: Code1W];
-        end
-      end
-      if (degree == 2'd1) codes.of[3] = '0;  // bands hold 3, 8 and 15 functions
-      code_pair  = '0;
-      shift_pair = '0;
-      for (int unsigned i = 0; i < 2 * Steps; i += 1) begin
-        if (step_q == 3'(i / 2)) begin
-          code_pair[i%2]  = codes.of[i];
-          shift_pair[i%2] = shifts.of[i < 3 ? 0 : i < 8 ? 1 : 2];
-        end
-      end
-      for (int unsigned i = 0; i < 6; i += 1) begin
-        coef_pair.of[i] = CoefW'($signed(code_pair[i/3][i%3*Code1W +: Code1W])) << shift_pair[i/3];
-      end
-    end
+    pu_color_codes u_codes (
+      .sh_degree_i,
+      .degree_i(degree),
+      .step_i(step_q),
+      .quarter_i(task_i.quarter),
+      .line_i,
+      .pair_o(coef_pair),
+      .exponent_o(slot_exponent)
+    );
   end else begin : gen_mantissas
-    localparam int unsigned Slot1W = pipegs_pkg::MemoryW / 4;
-    typedef struct packed {logic [Steps-1:0][PairW-1:0] of;} coefs_t;
-    logic [pipegs_pkg::MemoryW-1:0] slot;
-    coefs_t                         coefs;
-    always_comb begin
-      slot = line_i;
-      if (sh_degree_i == pipegs_pkg::KindW'(1)) begin
-        for (int unsigned i = 1; i < 4; i += 1) begin
-          if (task_i.quarter == pipegs_pkg::QuarterW'(i)) slot[Slot1W-1:0] = line_i[Slot1W*i +: Slot1W];
-        end
-      end
-      coefs = (Steps*PairW)'(slot[pipegs_pkg::MemoryW-1:ExpW]);
-      if (degree == 2'd1) coefs.of[1][PairW-1:PairW/2] = '0;        // bands hold 3, 8 and 15 functions
-      if (degree == 2'd3) coefs.of[Steps-1][PairW-1:PairW/2] = '0;
-      coef_pair = '0;
-      for (int unsigned i = 0; i < Steps; i += 1) if (step_q == 3'(i)) coef_pair = coefs.of[i];
-    end
-    assign slot_exponent = slot[ExpW-1:0];
-    wire unused_slot = &{1'b0, slot};
+    pu_color_mantissas u_mantissas (
+      .sh_degree_i,
+      .degree_i(degree),
+      .step_i(step_q),
+      .quarter_i(task_i.quarter),
+      .line_i,
+      .pair_o(coef_pair),
+      .exponent_o(slot_exponent)
+    );
   end
 
   always_ff @(posedge clk_i) begin

@@ -138,12 +138,13 @@ module pu_decode (
   function automatic logic signed [BaseW-1:0] base(input logic signed [pipegs_pkg::BaseCodeW-1:0] code_of);
     base = last.data ? (BaseW'(code_of) + $signed(BaseW'(64))) <<< BaseUp : '0;
   endfunction
-  logic [3:0][QuatW-1:0] quaternion;
+  typedef struct packed {logic [3:0][QuatW-1:0] of;} quaternion_t;
+  quaternion_t quaternion;
   always_comb begin
-    quaternion[0] = last.axis == 2'd0 ? largest : last.turn[0];
-    quaternion[1] = last.axis == 2'd1 ? largest : last.axis == 2'd0 ? last.turn[0] : last.turn[1];
-    quaternion[2] = last.axis == 2'd2 ? largest : last.axis == 2'd3 ? last.turn[2] : last.turn[1];
-    quaternion[3] = last.axis == 2'd3 ? largest : last.turn[2];
+    quaternion.of[0] = last.axis == 2'd0 ? largest : last.turn[0];
+    quaternion.of[1] = last.axis == 2'd1 ? largest : last.axis == 2'd0 ? last.turn[0] : last.turn[1];
+    quaternion.of[2] = last.axis == 2'd2 ? largest : last.axis == 2'd3 ? last.turn[2] : last.turn[1];
+    quaternion.of[3] = last.axis == 2'd3 ? largest : last.turn[2];
   end
   assign fetched_o = {last.slot, pipegs_pkg::IndexW'(last.slot),
                       base(last.base[2]), base(last.base[1]), base(last.base[0]), last.opacity, last.scale,

@@ -88,17 +88,7 @@ module pu_fetch #(
   logic unused_chunk;
   assign unused_chunk = ^chunk;
 
-  // An end beat carries zeros.
-  if (pipegs_pkg::Coded) begin : gen_coded
-    assign fetched_o = {{pipegs_pkg::SlotW{is_data}} & slot, {ItemW{is_data}} & item, header};
-  end else begin : gen_whole
-    pipegs_pkg::gaussian_t gaussian;
-    assign gaussian  = is_data ? item : '0;
-    assign fetched_o = {{pipegs_pkg::SlotW{is_data}} & slot, gaussian.index,
-                        gaussian.base_b, gaussian.base_g, gaussian.base_r, gaussian.opacity,
-                        gaussian.scale_2, gaussian.scale_1, gaussian.scale_0,
-                        gaussian.qz, gaussian.qy, gaussian.qx, gaussian.qw,
-                        gaussian.offset_z, gaussian.offset_y, gaussian.offset_x, header};
-  end
+  // Fields of a Gaussian stand in the order of the beat; an end beat carries zeros.
+  assign fetched_o = {{pipegs_pkg::SlotW{is_data}} & slot, {ItemW{is_data}} & item, header};
 
 endmodule

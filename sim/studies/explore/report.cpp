@@ -290,6 +290,7 @@ Json tradeoff_row(const Point& point, const View& view, double ghz) {
           {"width", camera.width},
           {"height", camera.height},
           {"gaussians", view.gaussians(less)},
+          {"rest", less.rest},
           {"cycles", point.figures.cycles},
           {"us", us_of(point, ghz)},
           {"bytes", point.figures.bytes},

@@ -54,6 +54,7 @@ std::string View::shared(const Config& config, const Less& less) const {
 nlohmann::ordered_json View::key(const Less& less) const {
   using Json = nlohmann::ordered_json;
   Json key = {{"measured", static_cast<int>(measured_)}, {"scale", less.scale}, {"without", less.without}};
+  if (less.rest != 0) key["rest"] = less.rest;
   if (less.without == 0) return key;
   std::string poses;
   for (const Camera& c : cameras_) {
@@ -118,6 +119,7 @@ void View::measure_picture(const Config& config, const Less& less, Figures& resu
   const Image& exact = this->exact();
   SimulateOptions asked = options_;
   asked.config = config;
+  asked.rest = less.rest;
   asked.found = [&](const Findings& findings) {  // an empty frame is kept with the figures: who asks tells of which
     for (const Finding& finding : findings) {
       if (finding.kind->key == "empty_frame") result.empty = finding.what;

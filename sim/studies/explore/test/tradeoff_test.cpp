@@ -33,7 +33,7 @@ TEST(Tradeoff, PointsAreLegalOnEveryDesignPointForEverySceneAndDifferFromEachOth
       for (const Point& point : points) {
         const Less& less = point.value.less;
         const std::string what =
-            config_difference(point.config) + " " + std::to_string(less.scale) + " " + std::to_string(less.without);
+            config_difference(point.config) + fmt::format(" {} {} {}", less.scale, less.without, less.rest);
         EXPECT_TRUE(seen.insert(what).second) << point.knob << " " << point.value.label << " changes nothing";
         all.settings.insert(all.settings.end(), point.value.settings.begin(), point.value.settings.end());
       }
@@ -49,11 +49,12 @@ TEST(Tradeoff, PointsAreLegalOnEveryDesignPointForEverySceneAndDifferFromEachOth
 TEST(Tradeoff, ASceneOrAMachineThatHasItAlreadyIsNotAskedAgain) {
   Config base;
   base.sh_degree = 1;
-  base.t_cut = 1000;
   base.alpha_cut = 64;
   const std::vector<Point> points = less_alone(base, random_scene(1, 3, 3));
   EXPECT_EQ(count(points, "SH degree"), 1u);
-  EXPECT_EQ(count(points, "T cut"), 2u);
+  EXPECT_EQ(count(points, "rest"), 5u);
+  base.early_stop = 0;
+  EXPECT_EQ(count(less_alone(base, random_scene(1, 3, 3)), "rest"), 0u);
   EXPECT_EQ(count(points, "alpha cut"), 2u);
 }
 
@@ -68,20 +69,19 @@ TEST(Tradeoff, WhatSavesTimeAloneIsTriedTogether) {
   std::vector<Point> alone = {point("base", "all", 1000, 80),
                               point("resolution", "1/2", 500, 46),
                               point("resolution", "3/4", 900, 32),
-                              point("T cut", "1/1000", 500, 46),
+                              point("rest", "1/1000", 500, 46),
                               point("order", "layers of grid 4", 1100, 60),
                               point("order", "none", 600, 25)};
   alone[1].value.less.scale = 0.5;
-  alone[3].value.settings = {"t_cut=1000"};
+  alone[3].value.less.rest = 0.001;
   const std::vector<Point> points = less_together(alone, 10);
   ASSERT_EQ(points.size(), 1u)
       << "3/4 is worse than 1/2, layers save nothing, without order there are fewer than 30 dB";
   EXPECT_EQ(points[0].knob, kTogether);
-  EXPECT_EQ(points[0].value.label, "resolution 1/2, T cut 1/1000");
+  EXPECT_EQ(points[0].value.label, "resolution 1/2, rest 1/1000");
   EXPECT_EQ(points[0].value.less.scale, 0.5);
   EXPECT_EQ(points[0].value.less.without, 0);
-  EXPECT_EQ(points[0].value.settings, alone[3].value.settings);
-  EXPECT_EQ(points[0].config.t_cut, 1000);
+  EXPECT_EQ(points[0].value.less.rest, 0.001);
   EXPECT_TRUE(less_together(alone, 0).empty());
   EXPECT_TRUE(less_together({alone[0]}, 10).empty());
   EXPECT_TRUE(less_together({alone[0], alone[1], alone[2]}, 10).empty()) << "two values of one thing are no two things";
@@ -89,7 +89,7 @@ TEST(Tradeoff, WhatSavesTimeAloneIsTriedTogether) {
 
 TEST(Tradeoff, AFewOfManyAreSpreadOverTheirDecibels) {
   std::vector<Point> alone = {point("base", "all", 1000, 70)};
-  for (const char* knob : {"resolution", "contribution", "alpha cut", "T cut"}) {
+  for (const char* knob : {"resolution", "contribution", "alpha cut", "rest"}) {
     for (int i = 1; i <= 4; ++i) alone.push_back(point(knob, std::to_string(i), 1000 - 100 * i, 65 - 7 * i));
   }
   const size_t all = less_together(alone, 1000).size();
@@ -128,8 +128,8 @@ TEST(Tradeoff, NobodyBeatsTheFrontAndAllOthersAreBeaten) {
 }
 
 std::vector<Point> six() {
-  return {point("base", "all", 1000000, 70), point("T cut", "a", 800000, 52), point("T cut", "b", 900000, 49),
-          point("T cut", "c", 600000, 42),   point("T cut", "d", 590000, 41), point("T cut", "e", 100000, 20)};
+  return {point("base", "all", 1000000, 70), point("rest", "a", 800000, 52), point("rest", "b", 900000, 49),
+          point("rest", "c", 600000, 42),    point("rest", "d", 590000, 41), point("rest", "e", 100000, 20)};
 }
 
 TEST(Tradeoff, ADecibelCostsWhatItsStepCosts) {
