@@ -574,8 +574,8 @@ package pipegs_pkg;
   localparam int unsigned OpenBits = 101;
 
   typedef struct packed {
-    // u0.(TW-1): the Gaussian that leaves less than this takes all that is left, and the pixel stops; 0: 1/TCut, and
-    // that Gaussian is not blended
+    // u0.(TW-1): of a pixel with less than this left the next Gaussian takes all, and it stops; 0: it stops at 1/TCut,
+    // and who would leave less is not blended
     logic [RestW-1:0] rest;
     windows_t windows;
     logic [SizeW-1:0] height;  // pixels

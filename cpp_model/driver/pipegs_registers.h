@@ -429,7 +429,7 @@ struct pipegs_frame {
   uint64_t raster_windows_first_y; /* row of the first */
   uint64_t raster_windows_last_x; /* column of the last */
   uint64_t raster_windows_last_y; /* row of the last */
-  /* u0.(TW-1): the Gaussian that leaves less than this takes all that is left, and the pixel stops; 0: 1/TCut, and that Gaussian is not blended */
+  /* u0.(TW-1): of a pixel with less than this left the next Gaussian takes all, and it stops; 0: it stops at 1/TCut, and who would leave less is not blended */
   uint64_t raster_rest;
   uint64_t walk_most; /* Gaussians at one depth from which on a window is walked part by part; 0: never is */
 };

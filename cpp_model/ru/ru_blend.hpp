@@ -4,8 +4,8 @@
 // Paper   Eq. 2: C += c * alpha * T,  T *= 1 - alpha.
 // Idea    One product serves weight and update: w = T * alpha, T' = T - w. T plus the sum of all weights so stays
 //         exactly 1. INRIA's stop rule: when T' would fall below 1/TCut (1e-4) the pixel is done and this Gaussian is
-//         not blended. With a frame's `rest`: when T' would fall below it, this Gaussian takes all of T, and the pixel
-//         is done: what is left is shown in its colour, which is mostly near that of what is hidden, instead of black.
+//         not blended. With a frame's `rest`: of a pixel whose T is below it the next Gaussian takes all, and the pixel
+//         is done: what is left is shown in that colour, which is mostly near that of what is hidden.
 // Error   of a pixel, by `rest`: less than rest times the difference of two colours.
 // Stream  alpha u0.AlphaW (0: no contribution), T u1.(TW-1), colour u2.(ColorW-2), accumulated colour u2.(RgbW-2).
 // Round   w and w * colour to nearest, ties up; the accumulated colour saturates at the top (counted; wraps if
@@ -27,7 +27,7 @@ struct BlendConstants {
         color_shift(c.t_w + c.color_w - c.rgb_w - 1),
         one(1u << (c.t_w - 1)),
         rest(c.early_stop ? static_cast<uint32_t>(rest_of_frame) : 0),
-        stop(rest != 0 ? rest : c.early_stop ? static_cast<uint32_t>(c.t_stop()) : 0),
+        stop(rest == 0 && c.early_stop ? static_cast<uint32_t>(c.t_stop()) : 0),
         rgb_max((1u << c.rgb_w) - 1),
         rgb_top(c.saturation ? rgb_max : 0),
         narrow(c.t_w - 1 + c.alpha_w <= 32 && c.t_w - 1 + c.color_w <= 32) {}
@@ -35,8 +35,8 @@ struct BlendConstants {
   int alpha_w;
   int color_shift;  // from the fraction of w * colour to that of the accumulated colour
   uint32_t one;     // T = 1
-  uint32_t rest;    // Frame::raster.rest: who stops a pixel takes all that is left; 0: nothing
-  uint32_t stop;    // smallest T that may remain; 0: none stops
+  uint32_t rest;    // Frame::raster.rest: below this T the next Gaussian takes all; 0: none does
+  uint32_t stop;    // without it: smallest T that may remain; 0: none stops
   uint32_t rgb_max;
   uint32_t rgb_top;  // bits that stay set above it: all when it saturates, none when it wraps
   bool narrow;       // every product fits 32 bits
@@ -67,10 +67,11 @@ inline uint32_t ru_blend(const BlendConstants& k, PixelState& pixel, uint32_t co
                          BlendCounts* counts = nullptr) {
   if (pixel.done) return 0;
   auto weight = static_cast<uint32_t>((uint64_t{pixel.t} * code + (uint64_t{1} << (k.alpha_w - 1))) >> k.alpha_w);
-  if (pixel.t - weight < k.stop) {
+  const bool last = pixel.t < k.rest && code != 0, over = pixel.t - weight < k.stop;
+  if (last || over) {
     pixel.done = true;
     if (counts != nullptr) ++counts->stopped;
-    if (k.rest == 0) return 0;
+    if (over) return 0;
     weight = pixel.t;
   }
   pixel.t -= weight;

@@ -97,7 +97,7 @@ void ViewArguments::add(CLI::App& app, DesignPoints which) {
       [] { return fmt::to_string(SimulateOptions{}.walk_most); })
       .shows_default();
   add_real(app, "--rest", rest,
-           "a pixel of which less would be left gives all of it to its last Gaussian and stops, 0: INRIA's rule, at "
+           "a pixel with less transmittance left gives all of it to its next Gaussian and stops, 0: INRIA's rule, at "
            "1/10000 (--set t_cut)",
            {.low = 0, .high = 0.999})
       .shows_default();

@@ -327,9 +327,10 @@ mutant su_external "a run is as long when it is merged as its groups were" \
 
 # --- rtl/ru -----------------------------------------------------------------------------------------------------------
 group ru "RU"
-mutant ru_blend "stop: < becomes <=" 's/remain < \(/remain <= (/'
-mutant ru_blend "who stops a pixel takes its own weight only" 's/(weight = )stops \? t_1_q : /\1/'
-mutant ru_blend "all frames have the same limit" "s/rest_i == '0 \? (TW'\(pipegs_pkg::TStop\)) : rest_i/\1/"
+mutant ru_blend "stop: < becomes <=" 's/remain < TW/remain <= TW/'
+mutant ru_blend "the last Gaussian takes its own weight only" 's/(weight = )last_1_q \? t_1_q : /\1/'
+mutant ru_blend "a Gaussian that does not reach the pixel takes all" "s/t_i < rest_i && code_i != '0/t_i < rest_i/"
+mutant ru_blend "INRIA's rule holds beside a frame's own" "s/ && rest_i == '0 && remain/ \&\& remain/"
 mutant ru_blend "half of the rounding dropped" 's/ \+ Half\) >> AlphaW/) >> AlphaW/'
 mutant ru_own "every row begins with the same unit" 's/ \+ Step \* \(r \/ RegionsX\)//' ru
 mutant ru_slot "shift off by one" 's/\$clog2\(([a-z_:]*Units)\)/($clog2(\1) + 1)/' ru

@@ -68,7 +68,8 @@ void compare(const std::vector<Case>& cases, bool holes, const BlendConstants& k
 Case random_case(std::mt19937_64& rng, const BlendConstants& k = kBlend) {
   const auto below = [&](uint64_t n) { return static_cast<uint32_t>(rng() % n); };
   Case c{};
-  c.pixel.t = rng() % 4 == 0 ? std::min(k.stop + below(8), k.one) : rng() % 8 == 0 ? kBlend.one : below(kBlend.one + 1);
+  const uint32_t limit = std::max(k.stop, k.rest);
+  c.pixel.t = rng() % 4 == 0 ? std::min(limit - std::min(limit, 4u) + below(8), k.one) : rng() % 8 == 0 ? kBlend.one : below(kBlend.one + 1);
   c.pixel.done = rng() % 8 == 0;
   c.code = rng() % 4 == 0 ? below(3) : below(1u << kConfig.alpha_w);
   for (int i = 0; i < 3; ++i) {
@@ -90,7 +91,7 @@ TEST(RuBlend, EqualsItsModel) {
 TEST(RuBlend, EqualsItsModelAtEveryRest) {
   if (kBlend.stop == 0) GTEST_SKIP() << "no pixel stops";
   std::mt19937_64 rng(test_seed());
-  for (const uint32_t rest : {1u, kBlend.stop, kBlend.one / 100, kBlend.one / 20, kBlend.one - 1}) {
+  for (const uint32_t rest : {2u, kBlend.stop, kBlend.one / 100, kBlend.one / 20, kBlend.one - 1}) {
     const BlendConstants k(kConfig, rest);
     std::vector<Case> cases(20000);
     for (Case& c : cases) c = random_case(rng, k);
@@ -100,7 +101,7 @@ TEST(RuBlend, EqualsItsModelAtEveryRest) {
 }
 
 // T and the weights are one in all, and what is left has the last one's colour.
-TEST(RuBlend, WhoStopsAPixelTakesAllThatIsLeft) {
+TEST(RuBlend, TheLastGaussianTakesAllThatIsLeft) {
   if (kBlend.stop == 0) GTEST_SKIP() << "no pixel stops";
   const BlendConstants k(kConfig, kBlend.one / 20);
   std::mt19937_64 rng(test_seed());
