@@ -128,7 +128,8 @@ void simulate_frame(const PackedScene& packed, const Camera& camera, const Simul
                     Simulation& result) {
   result.input = {.packed = &packed, .frame = frame_setup(options.config, packed, camera, {}, options.near_plane)};
   if (options.config.has_walks()) result.input.frame.walk_most = options.walk_most;
-  if (options.rest != 0 && options.config.early_stop) result.input.frame.raster.rest = rest_of(options.config, options.rest);
+  if (options.rest != 0 && options.config.early_stop)
+    result.input.frame.raster.rest = rest_of(options.config, options.rest);
   if (options.raster)
     result.input.picture = raster_picture(result.input.frame.tables.pixels, result.input.frame.raster.width);
   const PixelRect r = asked_pixels(camera.width, camera.height, options);

@@ -36,6 +36,8 @@ class Sequence {
     simulate_frame(packed, camera, options_, next);
     simulate_golden(options_, next);
   }
+  // Of the frames to come: transmittance below which a pixel's next Gaussian takes all, 0: INRIA's rule.
+  void rest(double transmittance) { options_.rest = transmittance; }
   void expect_equal() {
     expect_equal(true);
     if (!testing::Test::HasFatalFailure()) expect_equal(false);

@@ -84,6 +84,24 @@ TEST(Sequence, WhatIsOpaqueInOneFrameIsOpenInTheNext) {
   }
 }
 
+// A frame's own limit goes with it: no pixel of one stops by the rule of the next, which begins while the RUs finish.
+TEST(Sequence, EachFrameHasItsOwnRest) {
+  Scene scene = random_scene(66, 900, 1);
+  for (Gaussian& gaussian : scene.gaussians) gaussian.log_scale += 0.7f;  // most pixels become opaque
+  for (const size_t i : todays()) {
+    if (!machine(i).config.early_stop) continue;
+    SCOPED_TRACE(config_difference(machine(i).config));
+    Sequence sequence(machine(i));
+    sequence.add(scene, test_camera(130, 70));
+    for (const double rest : {0.3, 0.0, 0.02, 0.999}) {
+      sequence.rest(rest);
+      sequence.add(test_camera(130, 70));
+    }
+    sequence.expect_equal();
+    if (HasFatalFailure()) return;
+  }
+}
+
 // Frames that sort otherwise (another near plane) wait until the SUs are empty.
 TEST(Sequence, TheMemoryAndTheNearPlaneMayChange) {
   const Scene scene = random_scene(64, 1500, 1);

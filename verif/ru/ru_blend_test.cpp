@@ -69,7 +69,9 @@ Case random_case(std::mt19937_64& rng, const BlendConstants& k = kBlend) {
   const auto below = [&](uint64_t n) { return static_cast<uint32_t>(rng() % n); };
   Case c{};
   const uint32_t limit = std::max(k.stop, k.rest);
-  c.pixel.t = rng() % 4 == 0 ? std::min(limit - std::min(limit, 4u) + below(8), k.one) : rng() % 8 == 0 ? kBlend.one : below(kBlend.one + 1);
+  c.pixel.t = rng() % 4 == 0   ? std::min(limit - std::min(limit, 4u) + below(8), k.one)
+              : rng() % 8 == 0 ? kBlend.one
+                               : below(kBlend.one + 1);
   c.pixel.done = rng() % 8 == 0;
   c.code = rng() % 4 == 0 ? below(3) : below(1u << kConfig.alpha_w);
   for (int i = 0; i < 3; ++i) {
@@ -109,7 +111,8 @@ TEST(RuBlend, TheLastGaussianTakesAllThatIsLeft) {
   for (int run = 0; run < 1000; ++run) {
     PixelState pixel{.t = k.one};
     uint32_t weights = 0;
-    while (!pixel.done) weights += ru_blend(k, pixel, 1 + static_cast<uint32_t>(rng() % ((1u << k.alpha_w) - 1)), white);
+    while (!pixel.done)
+      weights += ru_blend(k, pixel, 1 + static_cast<uint32_t>(rng() % ((1u << k.alpha_w) - 1)), white);
     EXPECT_EQ(pixel.t, 0u);
     EXPECT_EQ(weights, k.one);
     EXPECT_NEAR(std::ldexp(pixel.rgb[0], 2 - kConfig.rgb_w), 1, 0.01) << "of one colour, so of that one in all";
