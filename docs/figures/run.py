@@ -3,6 +3,7 @@
 import concurrent.futures
 import datetime
 import json
+import pathlib
 import random
 import re
 import shlex
@@ -66,7 +67,10 @@ def execute(one, build, drawn=False):
     printed, said = process.communicate()
     del running[process]
     if process.returncode not in one.exit_codes:
-        return None, f"failed: exit code {process.returncode}: {one.shown()}\n{said[-1000:]}"
+        log = pathlib.Path(build) / "figures" / f"{one.name.replace('/', '_')}.log"
+        log.parent.mkdir(exist_ok=True)
+        log.write_text(printed + said, encoding="utf-8")
+        return None, f"failed: exit code {process.returncode}: {one.shown()}\n{said[-1000:]}\nits output: {log}"
     try:
         found = json.loads(printed) if JSON.match(printed) else printed
         charts = found.pop("charts", None) if isinstance(found, dict) else None
