@@ -65,7 +65,7 @@ module dopu_send #(
   logic               done, has_first, idle, end_due, mark_due, chunk_due, dropped, load_popped, load_direct;
   logic               is_lowest;  // nothing unopened is nearer than the nearest chunk
   logic               risen;      // all that can still come lies behind the last watermark
-  logic [BucketW-1:0] first, lowest, bucket;
+  logic [BucketW-1:0] first, lowest;
   logic [StepW-1:0]   step;
   logic [SinceW-1:0]  apart;  // chunks between watermarks: doubled up to seven times
 
@@ -74,19 +74,22 @@ module dopu_send #(
   assign first     = first_bucket_i[32'(set_q)*BucketW +: BucketW];
   assign idle      = !valid_q && !popping_q;
 
-  // What is due is decided by comparing each bucket alone; their minimum is the watermark's alone.
+  // What is due is decided by comparing each bucket alone; their minimum, a tree, is the watermark's alone.
+  function automatic logic [BucketW-1:0] nearer(input logic [BucketW-1:0] a, input logic [BucketW-1:0] b);
+    nearer = a < b ? a : b;
+  endfunction
+  typedef struct packed {logic [3:0][BucketW-1:0] of;} buckets_t;
+  buckets_t closed;  // of what is not opened yet
+  assign closed = unopened_i | {4 * BucketW{opened_i}};
   always_comb begin
-    bucket    = '0;
-    lowest    = '1;
     is_lowest = 1'b1;
     risen     = !has_first || first > mark_q;
     for (int unsigned i = 0; i < 4; i += 1) begin
-      bucket = unopened_i[i*BucketW +: BucketW];
-      if (!opened_i && bucket < lowest) lowest = bucket;
-      if (!opened_i && bucket < first) is_lowest = 1'b0;
-      if (!opened_i && bucket <= mark_q) risen = 1'b0;
+      if (!opened_i && closed.of[i] < first) is_lowest = 1'b0;
+      if (!opened_i && closed.of[i] <= mark_q) risen = 1'b0;
     end
-    if (has_first && first < lowest) lowest = first;
+    lowest = nearer(nearer(closed.of[0], closed.of[1]), nearer(closed.of[2], closed.of[3]));
+    lowest = nearer(lowest, first | {BucketW{!has_first}});
   end
   assign end_due   = idle && opened_i && !has_first;
   assign apart     = SinceW'(MarkChunks) << marks_q[MarksW-1:MarksW-3];
