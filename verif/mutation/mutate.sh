@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # mutate.sh: mutation tests: each change of one line of a module must make that module's test fail.
 #   mutate.sh [NAME ...]         builds and runs the mutants of these groups or modules of table.sh; without a name, all
-#   mutate.sh --check            builds nothing: each change finds its line
+#   mutate.sh --check            builds nothing: each change finds its line, and its test is one of the build folder's
 #   mutate.sh --day DAY          one mutant in 157 of the table, others each day, as `make test` runs them
 #
 # A mutant is built by the commands that ninja has for the test itself: verilate.sh from a copy of rtl/ and sim/rtl/ in
@@ -21,6 +21,7 @@ if [ "${1:-}" = --day ]; then day=$2 && shift 2; fi
 wanted=" $* "
 work=$(mktemp -d) && trap 'rm -rf "$work"' EXIT
 declare -A passed
+tests=" $(ninja -C "$build" -t targets all 2> /dev/null | sed -nE 's#^.*/([a-z0-9_]+)_test: .*#\1#p' | tr '\n' ' ')"
 
 source_of() { if [[ $1 == */* ]]; then ls "cpp_model/$1" 2> /dev/null; else find rtl -name "$1.sv"; fi; }
 
@@ -92,6 +93,11 @@ mutant() {  # MODULE WHAT CHANGE [TEST]
   mutants=$((mutants + 1)) source=$(source_of "$module")
   if [ -z "$source" ] || ! apply "$source" "$3"; then
     echo "$here/table.sh: $module: $what: does not change exactly one line of ${source:-a module}"
+    broken=$((broken + 1))
+    return
+  fi
+  if [[ $tests = *[a-z]* && $tests != *" $test "* ]]; then
+    echo "$here/table.sh: $module: $what: there is no test $test"
     broken=$((broken + 1))
     return
   fi

@@ -56,7 +56,6 @@ mutant dopu_planes "one region short above" \
        "s/(vertical \?) closed_q.top :/\1 closed_q.top + 1'b1 :/" dopu_planes_walks
 mutant dopu_descend "no place is reserved for a result of the test" \
        's/ && reserved_q\[l\] != ReservedW.\(Results\)//' dopu
-mutant dopu_descend "a chunk that is shown is taken back when its window is done" 's/ && !shown_q;/;/' dopu
 mutant pu_fetch "an end carries a slot" 's/\{pipegs_pkg::SlotW\{is_data\}\} & slot/slot/'
 mutant pipegs_line_reader "the last line of a chunk is kept when it is half full" 's/\(last \|\| line_end\)/line_end/' \
        pu_fetch
@@ -352,8 +351,6 @@ mutant ru_resolve "regions outside the image are written" 's/ & ~outside_i//' ru
 mutant ru_memory "a write is accepted in the cycle of a read" 's/free && !read_valid_i/free/' ru
 mutant ru_memory "a read asks for half a line" "s/read_valid_i \? '1 : write_halves_i/write_halves_i/" ru
 mutant ru_window "raster order: a row of windows is one row of pixels high" "s/(AddressW'\(before_q\)) << Shift/\1/" ru
-mutant ru_offset "raster order: the first word below the picture is written" 's/(shown_o *= first <) rows/\1= rows/' \
-       ru_live
 mutant ru_offset "raster order: a region goes on below the picture" "s/(more_o *= )first.*/\11'b1;/" ru
 mutant ru_offset "raster order: all regions lie in the low halves of lines" "s/(half_o *= )column\[0\]/\11'b0/" \
        ru_units1
@@ -483,7 +480,8 @@ mutant pipegs_control_restart "the core is in reset as soon as it is apart" \
 mutant pipegs_control_restart "the reset lasts a cycle" "s/(StateTurned: if \().*\) begin/\11'b1) begin/"
 mutant pipegs_control_restart "the core may begin as its reset ends" "s/(default: if \().*\) begin/\11'b1) begin/"
 mutant pipegs_control_restart "in the scan test the flip-flop stays in the way" 's/test_mode_i \? rst_ni : //'
-mutant pipegs_control_counters "counters are read while the core is kept apart" 's/hits\[i\] && !apart_i/hits[i]/'
+mutant pipegs_control_counters "counters are read while the core is kept apart" \
+       's/hits\[i\] && !apart_i/hits[i]/' control_registers
 mutant pipegs_control_done "a frame is told before its writes are answered" "s/(done_o *= .*) && left_q == '0/\1/"
 mutant pipegs_control_done "a frame that was given up is told" 's/(done_o *= .*) && !give_up_i/\1/'
 mutant pipegs_control_done "those that wait survive a give-up" "s/(end else if \()give_up_i/\11'b0/"
@@ -597,7 +595,7 @@ mutant pipegs_su "busy reads as starved" 's/(moves\) perf_o = pipegs_pkg::)PerfB
 mutant pipegs_su "busy reads as blocked" 's/(moves\) perf_o = pipegs_pkg::)PerfBusy/\1PerfBlocked/' machine_live
 mutant pipegs_su "starved reads as blocked" 's/^( +perf_o = pipegs_pkg::)PerfStarved/\1PerfBlocked/' machine_live
 mutant pipegs_su "blocked reads as starved" \
-       's/(ready_i\) perf_o = pipegs_pkg::)PerfBlocked/\1PerfStarved/' machine_live
+       's/(ready_i\) perf_o = pipegs_pkg::)PerfBlocked/\1PerfStarved/' su
 mutant pipegs_su "what the sorter does does not count" 's/(moves += gather_moves) \|\| sort_moves/\1/' machine_live
 mutant pipegs_ru "busy reads as starved" 's/(moves \? pipegs_pkg::)PerfBusy/\1PerfStarved/' machine_live
 mutant pipegs_ru "busy reads as blocked" 's/(moves \? pipegs_pkg::)PerfBusy/\1PerfBlocked/' machine_live
