@@ -53,7 +53,7 @@ namespace {
 // Of the record Node of records.def: two of them fill a line of memory.
 int node_bits(const Config& config) {
   return 3 * (config.world_w + config.half_w() + 2 * config.hull_w()) + 2 * config.exp_w() + config.scale_w() +
-         config.slot_w() + config.count_w();
+         config.slot_w() + config.children_w();
 }
 
 }  // namespace
@@ -103,6 +103,10 @@ void config_check(const Config& config) {
   if (!config.layered && config.order != 0) throw ConfigError("configuration: layered = 0 needs order = 0");
   if (config.tight_cull && config.order == 1) throw ConfigError("configuration: tight_cull = 1 needs order 0 or 2");
   if (config.occlusion && config.order != 2) throw ConfigError("configuration: occlusion = 1 needs order = 2");
+  if (config.lod && (config.order != 2 || config.bucket_bits < Config::error_bits())) {
+    throw ConfigError("configuration: lod = 1 needs order = 2 and bucket_bits of at least " +
+                      std::to_string(Config::error_bits()));
+  }
   if (config.tight_boxes && config.order != 2) throw ConfigError("configuration: tight_boxes = 1 needs order = 2");
   if (const int bits = node_bits(config), most = config.memory_w() / 2; bits > most) {
     throw ConfigError("configuration: a node has " + std::to_string(bits) + " bits, expected at most " +

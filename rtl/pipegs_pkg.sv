@@ -59,6 +59,9 @@ package pipegs_pkg;
   // 1: a node holds the box around its Gaussians' ellipsoids, too, which the DOPU tests where they are small beside
   // their distance; 0: only that of their means, grown by the largest scale (1 needs order 2)
   localparam int unsigned TightBoxes     = 1;
+  // 1: a group has proxies, which a frame may take in place of its Gaussians where they are small; 0: it has none (1
+  // needs order = 2)
+  localparam int unsigned Lod            = 0;
   // 1: what lies beside a rectangle around the regions still open is neither fetched nor projected; 0: it is, until the
   // whole walk is closed (1 needs order = 2)
   localparam int unsigned Occlusion      = 1;
@@ -166,8 +169,14 @@ package pipegs_pkg;
   localparam int unsigned SizeW          = 15;  // width or height of the frame, pixels
   localparam int unsigned ExpW           = 6;  // block exponent, unsigned
   localparam int unsigned FloatEW        = 9;  // exponent of a normalised mantissa, signed
-  localparam int unsigned SlotW          = 24;  // slot of a Gaussian in packed memory
-  localparam int unsigned CountW         = 16;  // Gaussians of a chunk, chunks of a group, groups of a cell
+  localparam int unsigned SlotW          = 24;  // slot of a Gaussian, or of a proxy, in packed memory
+  localparam int unsigned ChildrenW      = 16;  // groups of a cell
+  localparam int unsigned ErrorW         = 0;  // error of a group's proxies; absent unless lod
+  // Gaussians of a chunk, chunks of a group; of a cell's groups the lower bits
+  localparam int unsigned CountW         = 16;
+  localparam int unsigned ErrorBits      = 2;  // mantissa bits of such an error: four steps an octave
+  localparam int unsigned ChunkProxies   = 2;  // most proxies of a chunk's Gaussians: they fill chunks of their own
+  localparam int unsigned LodW           = 0;  // level of detail of a frame; absent unless lod
   // half extent of a bounding box, unsigned, unit 2^half_exp world units, rounded up
   localparam int unsigned HalfW          = 8;
   // how far the box around ellipsoids reaches, unit 2^(half_exp + 1), rounded up; absent unless tight_boxes
@@ -1351,8 +1360,8 @@ package pipegs_pkg;
     48'h0088_060c1012,  // CONFIG_GAUSSIAN
     48'h0084_10030e52,  // CONFIG_POINT
     48'h0080_10048004,  // CONFIG_COUNTS
-    48'h000c_c82ec387,  // CONFIG_HASH
-    48'h0008_ef5eb221,  // LAYOUT
+    48'h000c_2d310862,  // CONFIG_HASH
+    48'h0008_e7a25df0,  // LAYOUT
     48'h0004_00030001,  // VERSION
     48'h0000_47504950  // ID
   };
@@ -1368,7 +1377,7 @@ package pipegs_pkg;
   // offset of its low word (16 bits), lowest bit of its value in what is queued (16), width of the value (8),
   // bit of the slot at which it begins (8), 1 if it is signed (8)}.
   localparam int unsigned ControlShadowBits = 1605;
-  localparam int unsigned ControlSlots = 61;
+  localparam int unsigned ControlSlots = 62;
   localparam logic [ControlSlots*56-1:0] ControlSlotTable = {
     56'h0490_0639_0c_06_00,  // stride
     56'h0488_0617_22_06_00,  // base
@@ -1381,7 +1390,8 @@ package pipegs_pkg;
     56'h0410_054a_22_06_00,  // chunks
     56'h0408_0528_22_06_00,  // groups
     56'h0400_0506_22_06_00,  // cells
-    56'h0388_04ee_18_00_00,  // walk_most
+    56'h0390_04ee_18_00_00,  // walk_most
+    56'h0388_04ee_00_00_00,  // lod
     56'h0380_04dc_12_00_00,  // raster.rest
     56'h0378_04d2_0a_00_00,  // raster.windows.last_y
     56'h0370_04c8_0a_00_00,  // raster.windows.last_x

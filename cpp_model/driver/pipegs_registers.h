@@ -22,7 +22,7 @@
 
 #define PIPEGS_LAYOUT 0x008u /* which table of registers this is */
 #define PIPEGS_LAYOUT_HASH 0xffffffffu /* FNV-1a of all names and places: the driver has the same */
-#define PIPEGS_LAYOUT_VALUE 0xef5eb221u
+#define PIPEGS_LAYOUT_VALUE 0xe7a25df0u
 
 #define PIPEGS_CONFIG_HASH 0x00cu /* which machine this is */
 #define PIPEGS_CONFIG_HASH_HASH 0xffffffffu /* FNV-1a of name=value; of every choice in config.def */
@@ -202,7 +202,7 @@
 #define PIPEGS_CONFIG_OVERFLOW_LIST_ENTRY_W_SHIFT 24
 
 #define PIPEGS_FRAME 0x200u /* parameters of the frame, each field of frame_t */
-#define PIPEGS_FRAME_SLOTS 50
+#define PIPEGS_FRAME_SLOTS 51
 #define PIPEGS_FRAME_CAMERA_POSITION_X 0x200u
 #define PIPEGS_FRAME_CAMERA_POSITION_Y 0x208u
 #define PIPEGS_FRAME_CAMERA_POSITION_Z 0x210u
@@ -252,7 +252,8 @@
 #define PIPEGS_FRAME_RASTER_WINDOWS_LAST_X 0x370u
 #define PIPEGS_FRAME_RASTER_WINDOWS_LAST_Y 0x378u
 #define PIPEGS_FRAME_RASTER_REST 0x380u
-#define PIPEGS_FRAME_WALK_MOST 0x388u
+#define PIPEGS_FRAME_LOD 0x388u
+#define PIPEGS_FRAME_WALK_MOST 0x390u
 
 #define PIPEGS_AREAS 0x400u /* sizes of what lies at the addresses of the frame */
 #define PIPEGS_AREAS_SLOTS 8
@@ -431,6 +432,8 @@ struct pipegs_frame {
   uint64_t raster_windows_last_y; /* row of the last */
   /* u0.(TW-1): of a pixel with less than this left the next Gaussian takes all, and it stops; 0: it stops at 1/TCut, and who would leave less is not blended */
   uint64_t raster_rest;
+  /* 0: no proxies; else those of a group whose error lies so many steps of depth below its bucket's edge: log2(focal / lod_pixels) */
+  uint64_t lod;
   uint64_t walk_most; /* Gaussians at one depth from which on a window is walked part by part; 0: never is */
 };
 

@@ -39,7 +39,7 @@ struct GridBox {
 };
 
 struct PackCounts {
-  uint64_t packed = 0;
+  uint64_t packed = 0, proxies = 0;
   uint64_t non_finite = 0, zero_quaternion = 0, transparent = 0, out_of_range = 0;        // left out
   uint64_t saturated_scale = 0, saturated_base = 0, saturated_sh = 0, flushed_scale = 0;  // packed, a field clipped
 };
@@ -52,9 +52,9 @@ struct PackedScene {
   std::vector<Node> cells, groups, chunks;  // cell -> groups -> chunks -> Gaussians
   NarrowTable<GaussianRecord> gaussians;    // by slot
   NarrowTable<GaussianCode> codes;          // as they lie in memory, if coded: gaussians holds what they stand for
-  std::vector<uint32_t> slot_to_index;      // index in the scene, kPadding for an empty slot
-  size_t scene_gaussians = 0;               // of the scene, those left out included
-  std::vector<MemoryLine> colors;           // SH coefficients, degree 1: four slots in a line, else one
+  std::vector<uint32_t> slot_to_index;  // index in the scene (of a proxy: of what weighs most), kPadding: empty slot
+  size_t scene_gaussians = 0;           // of the scene, those left out included
+  std::vector<MemoryLine> colors;       // SH coefficients, degree 1: four slots in a line, else one
   GridBox grid;
   MemoryLayout layout;
   PackCounts counts;

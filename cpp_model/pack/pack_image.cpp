@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // pack_image: the packed scene as lines of external memory; see pack.hpp.
 //
+// Idea    With lod = 1 a cell's count is longer than the field: its upper bits are where a group has its error.
 // Layout  cells, groups, chunks: 2 nodes in a line | geometry: GaussiansPerLine in a line, each at its part |
 //         colours: as packed | the frame begins at layout.pixels.
 #include "cpp_model/pack/pack.hpp"
@@ -26,7 +27,12 @@ MemoryImage memory_image(const PackedScene& packed) {
   MemoryImage image;
   image.layout = packed.layout;
   image.lines.resize(packed.layout.pixels);
-  put_records<Node>(packed.config, packed.cells, packed.layout.cells, 2, image.lines);
+  std::vector<Node> cells = packed.cells;
+  for (Node& cell : cells) {
+    if (packed.config.lod) cell.error = cell.count >> packed.config.count_w();
+    cell.count &= (uint64_t{1} << packed.config.count_w()) - 1;
+  }
+  put_records<Node>(packed.config, cells, packed.layout.cells, 2, image.lines);
   put_records<Node>(packed.config, packed.groups, packed.layout.groups, 2, image.lines);
   put_records<Node>(packed.config, packed.chunks, packed.layout.chunks, 2, image.lines);
   const auto put_geometry = [&]<class R>(const NarrowTable<R>& table) {

@@ -109,7 +109,7 @@ Node make_chunk(const Config& config, std::span<const WorldPoint> means, std::sp
   return node;
 }
 
-Node make_parent(const Config& config, std::span<const Node> children, uint64_t first) {
+Node make_parent(const Config& config, std::span<const Node> children) {
   Node node;
   int64_t* const center[3] = {&node.center_x, &node.center_y, &node.center_z};
   int64_t Node::*const centers[3] = {&Node::center_x, &Node::center_y, &Node::center_z};
@@ -136,8 +136,6 @@ Node make_parent(const Config& config, std::span<const Node> children, uint64_t 
   }
   set_extents(config, half, down, up, node);
   for (const Node& child : children) node.scale_max = std::max(node.scale_max, child.scale_max);
-  node.first = first;
-  node.count = children.size();
   return node;
 }
 

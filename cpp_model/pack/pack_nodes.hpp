@@ -30,7 +30,7 @@ GridBox make_grid(const Config& config, const SceneBox& box, int scene_exponent)
 Node make_chunk(const Config& config, std::span<const WorldPoint> means, std::span<GaussianRecord> records,
                 uint64_t scale_exp = 0);
 
-// The box around the chunks of a group or the groups of a cell; `first` is the number of the first of them.
-Node make_parent(const Config& config, std::span<const Node> children, uint64_t first);
+// The box around the chunks of a group or the groups of a cell.
+Node make_parent(const Config& config, std::span<const Node> children);
 
 }  // namespace pipegs

@@ -101,6 +101,11 @@ void ViewArguments::add(CLI::App& app, DesignPoints which) {
            "1/10000 (--set t_cut)",
            {.low = 0, .high = 0.999})
       .shows_default();
+  add_real(app, "--lod-pixels", lod_pixels,
+           "proxies stand for the Gaussians of a group where these differ from them by less than so many pixels, 0: "
+           "nowhere (--set lod=1)",
+           {.low = 0, .high = 1024})
+      .shows_default();
   add_real(app, "--near", near_plane, "near plane, scene units", kPositive).shows_default();
 }
 
@@ -134,6 +139,9 @@ void ViewArguments::check_fields(const std::vector<SimulateOptions>& machines) c
   const auto stops = [](const SimulateOptions& one) { return one.config.early_stop != 0; };
   if (rest != 0 && std::none_of(machines.begin(), machines.end(), stops))
     throw ConfigError("--rest: found no machine whose pixels stop, expected one with early_stop=1");
+  const auto has_proxies = [](const SimulateOptions& one) { return one.config.lod != 0; };
+  if (lod_pixels != 0 && std::none_of(machines.begin(), machines.end(), has_proxies))
+    throw ConfigError("--lod-pixels: found no machine with levels of detail, expected one with lod=1");
 }
 
 SimulateOptions ViewArguments::one_of_several() const {
@@ -143,6 +151,7 @@ SimulateOptions ViewArguments::one_of_several() const {
   options.walk_most = walk_most.value_or(options.walk_most);
   options.near_plane = near_plane;
   options.rest = rest;
+  options.lod_pixels = lod_pixels;
   return options;
 }
 

@@ -74,10 +74,11 @@ struct ViewArguments : MachineArguments {
   std::vector<std::string> design_points;
   std::optional<uint64_t> walk_most = {};  // where it is given
   double near_plane = 0.2;
-  double rest = 0;  // transmittance, SimulateOptions::rest
+  double rest = 0;        // transmittance, SimulateOptions::rest
+  double lod_pixels = 0;  // SimulateOptions::lod_pixels
 
   void add(CLI::App& app, DesignPoints which = DesignPoints::kOne);
-  // ConfigError where --walk-most or --rest is given and no machine has that field of a frame, as all below.
+  // ConfigError where a field of a frame is given that no machine has, as all below.
   SimulateOptions options() const;
   // For who has several of one kind or another: without that check, and the check.
   SimulateOptions one_of_several() const;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cpp_model/dopu/nearest/dopu_lod.hpp"
 #include "cpp_model/float/metrics.hpp"
 #include "cpp_model/float/truth.hpp"
 #include "cpp_model/frame_setup.hpp"
@@ -130,6 +131,7 @@ void simulate_frame(const PackedScene& packed, const Camera& camera, const Simul
   if (options.config.has_walks()) result.input.frame.walk_most = options.walk_most;
   if (options.rest != 0 && options.config.early_stop)
     result.input.frame.raster.rest = rest_of(options.config, options.rest);
+  if (options.config.lod) result.input.frame.lod = dopu_lod_of(options.config, camera.fx, options.lod_pixels);
   if (options.raster)
     result.input.picture = raster_picture(result.input.frame.tables.pixels, result.input.frame.raster.width);
   const PixelRect r = asked_pixels(camera.width, camera.height, options);

@@ -25,6 +25,7 @@ module dopu_nearest #(
 
   input  pipegs_pkg::position_t                 position_i,
   input  logic [pipegs_pkg::WorldW-1:0]         near_plane_i,
+  input  logic [pipegs_pkg::StepW-1:0]          lod_i,     // of the frame
   input  pipegs_pkg::span_t                     groups_i,  // the tables
   input  pipegs_pkg::span_t                     chunks_i,
   input  logic [2*5*pipegs_pkg::PlaneBits-1:0]  planes_i,
@@ -70,8 +71,9 @@ module dopu_nearest #(
   localparam int unsigned SlotW = pipegs_pkg::SlotW;
   localparam int unsigned CountW = pipegs_pkg::CountW;
   localparam int unsigned PlaceW = pipegs_pkg::NodePlaceW;
-  localparam int unsigned RangeW = CountW + SlotW;
-  localparam int unsigned DataW = RangeW + PlaceW;
+  localparam int unsigned RangeW = pipegs_pkg::ChildrenW + SlotW;  // of a parent's children; of a chunk's less
+  localparam int unsigned ChunkRangeW = CountW + SlotW;
+  localparam int unsigned DataW = ChunkRangeW + PlaceW;
   localparam int unsigned StepW = pipegs_pkg::StepW;
   localparam int unsigned ScaleW = pipegs_pkg::ScaleW;
   localparam int unsigned ReservedW = $clog2(Results + 1);
@@ -165,7 +167,7 @@ module dopu_nearest #(
   logic [1:0]         result_level;
   logic [BucketW-1:0] result_bucket;
   logic [PlaceW-1:0]  result_place;
-  logic [RangeW-1:0]  result_range;
+  logic [RangeW-1:0]  result_range, opened_range;  // a parent's children; those that are opened
 
   dopu_rank #(.TagW(3)) u_rank (
     .clk_i,
@@ -191,8 +193,23 @@ module dopu_nearest #(
     .result_place_o(result_place),
     .result_range_o(result_range)
   );
+  if (pipegs_pkg::Lod == 1) begin : gen_lod
+    logic [RangeW-1:0] group_range;
+    dopu_lod u_lod (
+      .lod_i,
+      .near_step_i(near_step),
+      .range_i(result_range),
+      .bucket_i(result_bucket),
+      .range_o(group_range)
+    );
+    assign opened_range = result_level == 2'd1 ? group_range : result_range;
+  end else begin : gen_no_lod
+    assign opened_range = result_range;
+    logic unused_lod;
+    assign unused_lod = ^lod_i;
+  end
   assign group_valid_o  = result_valid && result_pass && result_level == 2'd1 && judges;
-  assign group_chunks_o = result_range[SlotW +: CountW];
+  assign group_chunks_o = opened_range[SlotW +: CountW];
   assign group_near_o   = result_bucket[BucketW-1 -: pipegs_pkg::LoadW];
   assign counted_o      = through[1] && judges;
   assign result_kept    = result_pass || result_last;
@@ -204,7 +221,7 @@ module dopu_nearest #(
 
   generate
     for (genvar l = 0; l < Levels; l += 1) begin : gen_results
-      localparam int unsigned HeldW = l == 2 ? DataW : RangeW;  // only of chunks the place matters
+      localparam int unsigned HeldW = l == 2 ? DataW : RangeW;  // of chunks the place matters, too
       logic [HeldW-1:0]     result_data, held_data;
       logic [BucketW-1:0]   bucket;
       logic [ReservedW-1:0] count;
@@ -212,11 +229,11 @@ module dopu_nearest #(
       assign push[l]   = result_valid && result_level == 2'(l) && result_kept;
       assign missed[l] = result_valid && result_level == 2'(l) && !result_kept;
       if (l == 2) begin : gen_chunk
-        assign result_data = {result_range, result_place};
+        assign result_data = {result_range[ChunkRangeW-1:0], result_place};
         assign held[l]     = held_data;
       end else begin : gen_parent
-        assign result_data = result_range;
-        assign held[l]     = {held_data, {PlaceW{1'b0}}};
+        assign result_data = opened_range;
+        assign held[l]     = {held_data, {(DataW - RangeW){1'b0}}};
       end
 
       pipegs_fifo #(.DataW(2 + BucketW + HeldW), .Depth(Results)) u_queue (
@@ -345,7 +362,7 @@ module dopu_nearest #(
     for (genvar l = 0; l < 2; l += 1) begin : gen_open
       assign open_valid[l]  = (out_valid && out_level == 2'(l) && !out_done) || direct[l];
       assign open_bucket[l] = out_valid ? out_bucket : held_bucket[l];
-      assign open_range[l]  = out_valid ? out_data[PlaceW +: RangeW] : held[l][PlaceW +: RangeW];
+      assign open_range[l]  = out_valid ? out_data[DataW-1 -: RangeW] : held[l][DataW-1 -: RangeW];
 
       dopu_open #(.Most(Most), .Lines(Lines)) u_open (
         .clk_i,
@@ -355,7 +372,7 @@ module dopu_nearest #(
         .open_ready_o(open_ready[l]),
         .open_bucket_i(open_bucket[l]),
         .open_first_i(open_range[l][SlotW-1:0]),
-        .open_count_i(open_range[l][SlotW +: CountW]),
+        .open_count_i(open_range[l][RangeW-1:SlotW]),
         .mem_valid_o(mem_valid_o[l]),
         .mem_ready_i(mem_ready_i[l]),
         .mem_address_o(ports.address[l]),

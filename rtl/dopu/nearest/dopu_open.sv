@@ -16,7 +16,7 @@ module dopu_open #(
   parameter int unsigned Lines = 32,
   localparam int unsigned BucketW = pipegs_pkg::BucketW,
   localparam int unsigned SlotW = pipegs_pkg::SlotW,
-  localparam int unsigned CountW = pipegs_pkg::CountW,
+  localparam int unsigned CountW = pipegs_pkg::ChildrenW,
   localparam int unsigned NodeBits = pipegs_pkg::NodeBits
 ) (
   input  logic                             clk_i,
@@ -117,8 +117,8 @@ module dopu_open #(
     end
   end
 
-  pipegs_line_reader #(.TagW(CountW + BucketW), .ItemW(NodeBits), .ItemsPerLine(2), .Lines(Lines), .Jobs(Most))
-    u_reader (
+  pipegs_line_reader #(.TagW(CountW + BucketW), .ItemW(NodeBits), .ItemsPerLine(2), .Lines(Lines), .Jobs(Most),
+    .CountW(CountW)) u_reader (
     .clk_i,
     .rst_ni,
     .table_i,

@@ -18,7 +18,7 @@ module dopu_rank #(
   localparam int unsigned StepW = pipegs_pkg::StepW,
   localparam int unsigned LoadW = pipegs_pkg::LoadW,
   localparam int unsigned PlaceW = pipegs_pkg::NodePlaceW,                     // scale_exp, offset_exp, centre z, y, x
-  localparam int unsigned RangeW = pipegs_pkg::CountW + pipegs_pkg::SlotW      // count, first
+  localparam int unsigned RangeW = pipegs_pkg::ChildrenW + pipegs_pkg::SlotW   // error if there is one, count, first
 ) (
   input  logic                                  clk_i,
   input  logic                                  rst_ni,
@@ -115,7 +115,7 @@ module dopu_rank #(
     exponent_q <= exponent[which];
     place_q    <= PlaceW'({result.scale_max[pipegs_pkg::ScaleW-1:pipegs_pkg::ScaleMW], result.offset_exp,
                            result.center_z, result.center_y, result.center_x});
-    range_q    <= {result.count, result.first};
+    range_q    <= result[NodeBits-1 -: RangeW];
   end
 
   dopu_depth #(.ValueW(DistanceW), .Down(pipegs_pkg::RotF - (pipegs_pkg::RotW - pipegs_pkg::TestW))) u_depth (

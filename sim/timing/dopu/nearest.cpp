@@ -223,7 +223,7 @@ void Nearest::enter(DopuCycle& cycle, const DopuSets& sets, const Said& is) {
     in.result.pass = in.result.pass && passes(in.result.sides, set, in.due - kTestCycles);
     if (in.level == 1 && in.result.pass && set.judges) {
       const TimingParent& group = trace_.walks[set.walk].groups_ranked[in.result.node.number];
-      load_.add(group.bucket, group.far, trace_.groups[group.node].count);
+      load_.add(group.bucket, group.far, group.opened.count);
       many_groups_ = load_.many_groups();
     }
     if (in.result.pass || in.result.last) {
@@ -259,8 +259,7 @@ void Nearest::open(DopuCycle& cycle, const DopuSets& sets, const Said& is) {
       const NearestNode node = popped ? queue_->node() : held_[static_cast<size_t>(l)].front().node;
       const TimingWalk& walk = trace_.walks[sets[static_cast<size_t>(set)].walk];
       const TimingParent& parent = l == 0 ? walk.cells_ranked[node.number] : walk.groups_ranked[node.number];
-      const TimingNode& range = (l == 0 ? trace_.cells : trace_.groups)[parent.node];
-      open.job = {true, range.first, range.count, {parent.first}};
+      open.job = {true, parent.opened.first, parent.opened.count, {parent.first}};
       open.job_valid = true;
       open.buckets.push(now, node.bucket);
     }
