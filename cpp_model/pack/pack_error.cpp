@@ -15,6 +15,7 @@ namespace {
 constexpr double kShBand0 = 0.28209479177387814;
 constexpr double kReach = 3.33;  // standard deviations at which an opaque Gaussian's alpha is 1/255
 constexpr int kFinest = 128;     // pixels along the widest extent
+constexpr int kCoarsest = 8;     // widest extents in a pixel
 constexpr int kSteps = 2;        // halvings of an octave, to find where the loss passes the limit
 
 // A Gaussian seen along an axis; without low-pass filter.
@@ -123,7 +124,7 @@ double alike_pixel(std::span<const ActivatedGaussian> one, std::span<const glm::
     return true;
   };
   if (!(widest > 0)) return alike(1) ? 1e-30 : kNeverAlike;  // a point: of any size
-  double pixel = widest;
+  double pixel = kCoarsest * widest;
   if (!alike(pixel)) return kNeverAlike;
   while (pixel > 2 * widest / kFinest && alike(pixel / 2)) pixel /= 2;
   double step = 0.5;

@@ -7,7 +7,8 @@
 //         by: the sum over the pixels of the mean square of three colours and the transmittance, the mean of the three
 //         views. It may be `most`; the result is the smallest pixel at which it is not more.
 // Rule    Nothing hides anything but what is in the sets themselves, and colours are those of SH band 0: a measure, not
-//         a bound. No finer pixel than 1/kFinest of the widest extent is tried.
+//         a bound. No finer pixel than 1/128 of the widest extent is tried, and none coarser than eight
+//         of them.
 #pragma once
 
 #include <span>

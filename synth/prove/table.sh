@@ -479,7 +479,12 @@ mutant "the place of a node that failed stays reserved" \
 mutant "a chunk that is shown is taken back when its window is done" 's/ \&\& !shown_q;/;/'
 mutant "a chunk counts as shown when it is taken" 's/(shown_q <= chunk_valid_o \&\& )!/\1/'
 mutant "an end is dropped with its window" 's/(chunk_done    = )chunk_kind_o == pipegs_pkg::KindData \&\& /\1/'
-proof  dopu_open "dopu_open+ free_line_reader" "@late=1,order=2 %SlotW=6 %CountW=4 Most=4 Lines=4;
+proof  dopu_lod "dopu_lod+" "@late=1,order=2,lod=1; @late=1,order=2,lod=1,bucket_bits=7,group=64,chunk=64"
+mutant "the group's own chunks are opened, too" 's/(coarse \? \{.*), first \+ SlotW.\(count\)/\1, first/'
+mutant "the last chunk of proxies is not opened" 's/\(count \+ CountW.\(2 \*\* Shift - 1\)\)/count/'
+mutant "a group that has no proxies takes them" "s/ \|\| error == '1;/;/"
+mutant "proxies stand near and not far" 's/>= \$unsigned\(least\)/<= $unsigned(least)/'
+proof  dopu_open "dopu_open+ free_line_reader" "@late=1,order=2 %SlotW=6 %ChildrenW=4 Most=4 Lines=4;
        @late=1,order=2 %BucketW=4 Most=16 Lines=64"
 mutant "one bucket too many is opened" 's/!open_q\[Most-1\]/1/'
 mutant "a bucket opened while one is settled is lost" 's/\(take \? open_q : fewer\)/fewer/'

@@ -34,6 +34,12 @@ mutant dopu_windows "a part is on trial, too" 's/(on_trial = judges_i) && !parts
 mutant dopu_nearest "a window on trial opens groups" 's/!held_back && open_ready/open_ready/' dopu_nearest_fast
 mutant pipegs_dopu "the end of a walk that is given up goes to the PUs" \
        's/(given_up    = walk_end) && /\1 \&\& 1'"'"'b0 \&\& /' dopu_nearest_fast
+mutant dopu_lod "the near plane's step does not count" "s/ - \\\$signed\(SumW'\(near_step_i\)\)//"
+mutant dopu_lod "an error of half the size" 's/<< Coarser/<< (Coarser - 2)/'
+mutant dopu_lod "a group at its limit keeps its Gaussians" 's/>= \$unsigned\(least\)/> $unsigned(least)/'
+mutant dopu_nearest "cells have proxies, too" "s/result_level == 2'd1 \? group_range/result_level != 2'd2 ? group_range/" \
+       dopu_nearest_open
+mutant dopu_cells "an entry of 128 groups is empty" "s/item\[.*ChildrenW\] != '0/item.count != '0/" dopu_nearest_open
 mutant dopu_load "the last group alone counts" "s/sum_q (\+ SumW'\(group)/\1/"
 mutant dopu_load "a group ends in its last bucket" "s/(: near0_q\}) \+ 1'b1/\1/"
 mutant dopu_load "a word that is just written is read" 's/again_q \? sums_q : //'
@@ -61,7 +67,7 @@ mutant pipegs_line_reader "the last line of a chunk is kept when it is half full
        pu_fetch
 mutant dopu_cells "both cells of a line are its first one" "s/(item_half_q <= )cell_i\[0\]/\11'b0/" dopu
 mutant dopu_cells "the last slab but one ends the window" 's/layer_q == LastLayer/layer_q == LastLayer - 1'"'"'b1/' dopu
-mutant dopu_cells "an empty entry is shown" "s/(is_shown .*) \|\| item\.count != '0/\1 || 1'b1/" dopu_nearest_small
+mutant dopu_cells "an empty entry is shown" "s/(item\[.*ChildrenW\]) != '0/\1 >= '0/" dopu_nearest_small
 mutant dopu_cells "the last line of the table is not loaded" \
        's/(TableLines *= .*TableCells) \+ 1/\1 - 1/' dopu_nearest_small
 mutant dopu_cells "the last entry of the table is not walked" 's/(SlabCells) - 1\)/\1 - 2)/' dopu_nearest_small

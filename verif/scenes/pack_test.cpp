@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // pack_test: cpp_model/pack/pack.cpp, pack_nodes, pack_order, pack_quantize and pack_image against the scene they came
 // from.
+#include "cpp_model/dopu/nearest/dopu_lod.hpp"
 #include "cpp_model/pack/pack.hpp"
 #include "cpp_model/pu/front/pu_decode.hpp"
 
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <set>
 #include <span>
 
 #include "cpp_model/pack/pack_order.hpp"
@@ -63,8 +65,11 @@ void check(const Config& config, const Scene& scene, const PackedScene& packed) 
       const Node& group = packed.groups.at(g);
       ASSERT_EQ(group.first, next_chunk);
       ASSERT_TRUE(group.count >= 1 && group.count <= static_cast<uint64_t>(config.group));
-      for (uint64_t k = group.first; k < group.first + group.count; ++k, ++next_chunk) {
+      const uint64_t proxies = config.lod ? dopu_lod_chunks(config, group.count) : 0;
+      std::set<uint32_t> own;  // the Gaussians of the group
+      for (uint64_t k = group.first; k < group.first + group.count + proxies; ++k, ++next_chunk) {
         const Node& chunk = packed.chunks.at(k);
+        const bool is_proxy = k >= group.first + group.count;
         ASSERT_EQ(chunk.first, next_slot) << "chunks lie one behind the other";
         ASSERT_EQ(chunk.first % aligned, 0u) << "a chunk begins a line";
         ASSERT_TRUE(chunk.count >= 1 && chunk.count <= static_cast<uint64_t>(config.chunk));
@@ -73,12 +78,18 @@ void check(const Config& config, const Scene& scene, const PackedScene& packed) 
           const GaussianRecord record = packed.gaussians[slot];
           const uint32_t index = packed.slot_to_index.at(slot);
           ASSERT_EQ(packed.scene_index(record.index), index);
-          ++seen.at(index);
+          if (is_proxy) {
+            ASSERT_EQ(own.count(index), 1u) << "a proxy has the number of one of the group's, that no other has";
+            own.erase(index);
+          } else {
+            ++seen.at(index);
+            own.insert(index);
+          }
           ActivatedGaussian exact;
           ASSERT_EQ(activate(scene, index, exact), Cull::kNone);
           const int below = config.coded() ? config.pos_w - Config::offset_code_w() : 0,
                     unit = static_cast<int>(chunk.offset_exp) + below;
-          for (int axis = 0; axis < 3; ++axis) {
+          for (int axis = 0; axis < 3 && !is_proxy; ++axis) {
             const double error =
                 std::ldexp(static_cast<double>(world_mean(chunk, record, axis)), packed.scene_exponent) -
                 exact.mean[axis];
@@ -101,10 +112,15 @@ void check(const Config& config, const Scene& scene, const PackedScene& packed) 
   }
   const PackCounts& n = packed.counts;
   EXPECT_EQ(packed_count, n.packed);
+  EXPECT_EQ(n.proxies != 0, config.lod && n.packed != 0);
   EXPECT_EQ(n.packed + n.non_finite + n.zero_quaternion + n.transparent + n.out_of_range, scene.gaussians.size());
   const MemoryImage image = memory_image(packed);
   for (size_t i = 0; i < packed.chunks.size(); ++i) {
     ASSERT_EQ(unpack<Node>(config, image.lines.at(packed.layout.chunks + i / 2).data() + i % 2 * 8), packed.chunks[i]);
+  }
+  for (size_t i = 0; i < packed.cells.size(); ++i) {  // a count may be longer than its field
+    const Node cell = unpack<Node>(config, image.lines.at(packed.layout.cells + i / 2).data() + i % 2 * 8);
+    ASSERT_EQ(cell.error << config.count_w() | cell.count, packed.cells[i].count);
   }
   const size_t per_line = static_cast<size_t>(config.gaussians_per_line());
   const auto in_memory = [&](size_t slot) {
@@ -125,12 +141,12 @@ TEST(Pack, KeepsItsPromisesInEveryConfiguration) {
   std::mt19937_64 rng(1);
   for (const char* assignment : {"units=4", "grid=1", "grid=2", "grid=8", "chunk=8", "chunk=64", "group=1",
                                  "world_w=32", "world_w=44", "pos_w=12", "pos_w=24", "scale_m_w=6", "scale_m_w=16",
-                                 "index_w=16", "sh_degree=1", "tight_boxes=1", "record=48"}) {
+                                 "index_w=16", "sh_degree=1", "tight_boxes=1", "record=48", "lod=1"}) {
     SCOPED_TRACE(assignment);
     Config config;
     config_set(config, assignment);
-    config.late = config.tight_boxes;
-    config.order = 2 * config.tight_boxes;
+    config.late = config.tight_boxes | config.lod;
+    config.order = 2 * config.late;
     for (const size_t count : {0, 1, 2, 31, 33, 1000, 5000}) {
       const Scene scene = random_scene(rng, count, static_cast<int>(rng() % 4));
       check(config, scene, pack_scene(config, scene, 10));
