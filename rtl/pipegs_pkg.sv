@@ -1361,7 +1361,7 @@ package pipegs_pkg;
     48'h0084_10030e52,  // CONFIG_POINT
     48'h0080_10048004,  // CONFIG_COUNTS
     48'h000c_2d310862,  // CONFIG_HASH
-    48'h0008_e7a25df0,  // LAYOUT
+    48'h0008_f27f7c9b,  // LAYOUT
     48'h0004_00030001,  // VERSION
     48'h0000_47504950  // ID
   };

@@ -22,7 +22,7 @@
 
 #define PIPEGS_LAYOUT 0x008u /* which table of registers this is */
 #define PIPEGS_LAYOUT_HASH 0xffffffffu /* FNV-1a of all names and places: the driver has the same */
-#define PIPEGS_LAYOUT_VALUE 0xe7a25df0u
+#define PIPEGS_LAYOUT_VALUE 0xf27f7c9bu
 
 #define PIPEGS_CONFIG_HASH 0x00cu /* which machine this is */
 #define PIPEGS_CONFIG_HASH_HASH 0xffffffffu /* FNV-1a of name=value; of every choice in config.def */
@@ -124,6 +124,9 @@
 #define PIPEGS_CONFIG_POINT_TIGHT_BOXES_SHIFT 10
 #define PIPEGS_CONFIG_POINT_OVERFLOW 0x00000800u /* 1: the overflow area is used */
 #define PIPEGS_CONFIG_POINT_OVERFLOW_SHIFT 11
+/* a step of the frame field lod is 2^-lod_bits octaves; 0: no proxies */
+#define PIPEGS_CONFIG_POINT_LOD_BITS 0x0000f000u
+#define PIPEGS_CONFIG_POINT_LOD_BITS_SHIFT 12
 #define PIPEGS_CONFIG_POINT_SH_DEGREE 0x00030000u /* highest SH degree */
 #define PIPEGS_CONFIG_POINT_SH_DEGREE_SHIFT 16
 #define PIPEGS_CONFIG_POINT_CODED 0x00040000u /* 1: records of Gaussians are codes of 48 bytes */
@@ -591,6 +594,7 @@ struct pipegs_configuration {
   uint32_t tight_cull; /* 1: lens.spread_x and spread_y exist */
   uint32_t tight_boxes; /* 1: a node holds the box around its ellipsoids */
   uint32_t overflow; /* 1: the overflow area is used */
+  uint32_t lod_bits; /* a step of the frame field lod is 2^-lod_bits octaves; 0: no proxies */
   uint32_t sh_degree; /* highest SH degree */
   uint32_t coded; /* 1: records of Gaussians are codes of 48 bytes */
   uint32_t table_cells; /* entries of the table of cells */
@@ -642,6 +646,7 @@ struct pipegs_configuration {
   FIELD(tight_cull, PIPEGS_CONFIG_POINT, 9, 1) \
   FIELD(tight_boxes, PIPEGS_CONFIG_POINT, 10, 1) \
   FIELD(overflow, PIPEGS_CONFIG_POINT, 11, 1) \
+  FIELD(lod_bits, PIPEGS_CONFIG_POINT, 12, 4) \
   FIELD(sh_degree, PIPEGS_CONFIG_POINT, 16, 2) \
   FIELD(coded, PIPEGS_CONFIG_POINT, 18, 1) \
   FIELD(table_cells, PIPEGS_CONFIG_POINT, 20, 12) \

@@ -25,6 +25,11 @@ inline uint64_t dopu_lod_of(const Config& config, double focal, double pixels) {
   return static_cast<uint64_t>(std::clamp(steps, 1.0, std::ldexp(1.0, config.lod_w()) - 1));
 }
 
+// The size of which a level is, and 0 of none.
+inline double dopu_lod_pixels(const Config& config, double focal, uint64_t lod) {
+  return lod == 0 ? 0 : focal / std::exp2(std::ldexp(static_cast<double>(lod), -config.bucket_bits));
+}
+
 // Chunks of proxies behind a group with so many chunks of its own: each of these has ChunkProxies of them at most.
 inline uint64_t dopu_lod_chunks(const Config& config, uint64_t chunks) {
   const int shift = clog2(config.chunk) - clog2(Config::chunk_proxies());
