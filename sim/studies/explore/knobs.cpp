@@ -83,7 +83,7 @@ std::vector<Knob> table() {
 }  // namespace
 
 std::vector<std::string> layers_of_grid(int grid) {
-  return {"order=0", "tight_boxes=0", "occlusion=0", fmt::format("grid={}", grid)};
+  return {"order=0", "tight_boxes=0", "occlusion=0", "lod=0", fmt::format("grid={}", grid)};
 }
 
 const std::vector<Knob>& accuracy_knobs() {

@@ -291,6 +291,7 @@ Json tradeoff_row(const Point& point, const View& view, double ghz) {
           {"height", camera.height},
           {"gaussians", view.gaussians(less)},
           {"rest", less.rest},
+          {"lod_pixels", less.lod},
           {"cycles", point.figures.cycles},
           {"us", us_of(point, ghz)},
           {"bytes", point.figures.bytes},

@@ -55,6 +55,7 @@ nlohmann::ordered_json View::key(const Less& less) const {
   using Json = nlohmann::ordered_json;
   Json key = {{"measured", static_cast<int>(measured_)}, {"scale", less.scale}, {"without", less.without}};
   if (less.rest != 0) key["rest"] = less.rest;
+  if (less.lod != 0) key["lod_pixels"] = less.lod;
   if (less.without == 0) return key;
   std::string poses;
   for (const Camera& c : cameras_) {
@@ -120,6 +121,7 @@ void View::measure_picture(const Config& config, const Less& less, Figures& resu
   SimulateOptions asked = options_;
   asked.config = config;
   asked.rest = less.rest;
+  asked.lod_pixels = less.lod;
   asked.found = [&](const Findings& findings) {  // an empty frame is kept with the figures: who asks tells of which
     for (const Finding& finding : findings) {
       if (finding.kind->key == "empty_frame") result.empty = finding.what;

@@ -33,7 +33,7 @@ TEST(Tradeoff, PointsAreLegalOnEveryDesignPointForEverySceneAndDifferFromEachOth
       for (const Point& point : points) {
         const Less& less = point.value.less;
         const std::string what =
-            config_difference(point.config) + fmt::format(" {} {} {}", less.scale, less.without, less.rest);
+            config_difference(point.config) + fmt::format(" {} {} {} {}", less.scale, less.without, less.rest, less.lod);
         EXPECT_TRUE(seen.insert(what).second) << point.knob << " " << point.value.label << " changes nothing";
         all.settings.insert(all.settings.end(), point.value.settings.begin(), point.value.settings.end());
       }
@@ -41,6 +41,8 @@ TEST(Tradeoff, PointsAreLegalOnEveryDesignPointForEverySceneAndDifferFromEachOth
       EXPECT_EQ(points.front().knob, kBase);
       EXPECT_EQ(points.front().config, base);
       EXPECT_EQ(count(points, "SH degree"), static_cast<size_t>(degree));
+      EXPECT_EQ(count(points, "proxies"), base.order == 2 ? 4u : 0u);
+      EXPECT_EQ(count(points, "record"), 1u);
       EXPECT_EQ(count(points, "order"), base.order == 1 ? 0u : base.order == 0 ? 2u : 3u);
     }
   }
