@@ -364,6 +364,15 @@ void check_sizes(const Config& config, const Scene& scene, const PackedScene& pa
 
 }  // namespace
 
+std::vector<Node> PackedScene::own_chunks() const {
+  std::vector<Node> own;
+  for (const Node& group : groups) {
+    const auto first = chunks.begin() + static_cast<std::ptrdiff_t>(group.first);
+    own.insert(own.end(), first, first + static_cast<std::ptrdiff_t>(group.count));
+  }
+  return own;
+}
+
 PackedScene pack_scene(const Config& config, const Scene& scene, double coordinate_bound) {
   PackedScene packed;
   packed.config = config;

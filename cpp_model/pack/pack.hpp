@@ -59,6 +59,8 @@ struct PackedScene {
   MemoryLayout layout;
   PackCounts counts;
 
+  // Those that hold Gaussians of the scene, without proxies.
+  std::vector<Node> own_chunks() const;
   // In the scene, of the index by which the machine orders Gaussians of one depth.
   uint32_t scene_index(uint64_t index) const {
     const bool slot = config.coded() && index < slot_to_index.size();

@@ -138,7 +138,7 @@ void Walk::collect(const Scene& scene, const Camera& camera, const SimulateOptio
   const PackedScene& packed = simulation_.packed;
   const ProjectionOptions projection{Semantics::kExact, options.near_plane, scene.antialiased, config_.sh_degree};
   BudgetUnits units{.world = std::ldexp(1.0, packed.scene_exponent)};
-  for (const Node& chunk : packed.chunks) {
+  for (const Node& chunk : packed.own_chunks()) {
     units.offset = std::ldexp(units.world, static_cast<int>(chunk.offset_exp));
     units.view =
         std::ldexp(units.world, static_cast<int>(dopu_origin(config_, simulation_.input.frame, chunk, 0, 0).view_exp));
