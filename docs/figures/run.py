@@ -3,7 +3,6 @@
 import concurrent.futures
 import datetime
 import json
-import pathlib
 import random
 import re
 import shlex
@@ -67,7 +66,7 @@ def execute(one, build, drawn=False):
     printed, said = process.communicate()
     del running[process]
     if process.returncode not in one.exit_codes:
-        log = pathlib.Path(build) / "figures" / f"{one.name.replace('/', '_')}.log"
+        log = build / "figures" / f"{one.name.replace('/', '_')}.log"
         log.parent.mkdir(exist_ok=True)
         log.write_text(printed + said, encoding="utf-8")
         return None, f"failed: exit code {process.returncode}: {one.shown()}\n{said[-1000:]}\nits output: {log}"

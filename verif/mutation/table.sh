@@ -152,11 +152,10 @@ mutant pu_covariance "the adder takes the distance of two exponents without its 
 
 # --- rtl/pu/box -------------------------------------------------------------------------------------------------------
 group box "PU: the oriented box (\`tile_test = 2\`)"
-mutant pu_axes "the longer axis turns the other way" 's/(b_m\[SlopeW-1\]) == out_q\.swap/\1 != out_q.swap/' pu_shape_box
-mutant pu_axes "a round covariance has axes" "s/round     = length <= LengthW.\(RoundW\)/round     = length == '0/" \
-       pu_shape_box
-mutant pu_axes "|b| in place of 2|b|" 's/(assign b_apart .*in_q\.b_e\))/\1 + 1/' pu_shape_box
-mutant pu_axes "the slope may exceed 1" 's/nearest = near > most \? most : near/nearest = near/' pu_shape_box
+mutant pu_axes "the longer axis turns the other way" 's/(b_m\[SlopeW-1\]) == out_q\.swap/\1 != out_q.swap/'
+mutant pu_axes "a round covariance has axes" "s/round     = length <= LengthW.\(RoundW\)/round     = length == '0/"
+mutant pu_axes "|b| in place of 2|b|" 's/(assign b_apart .*in_q\.b_e\))/\1 + 1/'
+mutant pu_axes "the slope may exceed 1" 's/nearest = near > most \? most : near/nearest = near/'
 mutant pu_box "the sides do not grow" "s/(growth *= .*) \+ SideW.\(1\)/\1/" pu_shape_box
 mutant pu_box "the exponent of an odd root" 's/assign odd     = e\[0\]/assign odd     = 1/' pu_shape_box
 mutant pu_box "the box around lies crosswise" 's/if \(swap_q\) out_q\.box_y/if (!swap_q) out_q.box_y/' pu_shape_box

@@ -200,6 +200,7 @@ struct AllocateBench {
 };
 
 TEST(PuAllocate, EqualsItsModelAtEveryPairOfPaces) {
+  uint64_t overflowed = 0, waited = 0;  // at some pair: not at each of them with every draw
   for (Pace source : kPaces) {
     for (Pace sink : kPaces) {
       AllocateBench s;
@@ -211,16 +212,17 @@ TEST(PuAllocate, EqualsItsModelAtEveryPairOfPaces) {
         s.push_frame(8 * static_cast<uint64_t>(s.config.alpha_lines / s.config.regions()));  // some layers overflow
         s.run_and_compare(true);
       }
-      EXPECT_EQ(s.world.overflowed > 0, s.config.overflow != 0);
-      EXPECT_GT(s.world.waited, 0u);
+      overflowed += s.world.overflowed, waited += s.world.waited;
       if (HasFailure()) { FAIL() << "source " << to_text(source) << ", sink " << to_text(sink); }
     }
   }
+  EXPECT_EQ(overflowed > 0, test_config().overflow != 0);
+  EXPECT_GT(waited, 0u);
 }
 
 TEST(PuAllocate, DropsGaussiansOfOpaqueRegions) {
   AllocateBench s;
-  s.push_frame(8);
+  s.push_frame(60);
   for (Words& beat : s.in.beats) {
     Tiles tiles = unpack<Tiles>(s.config, beat.data());
     tiles.mask = uint64_t{1} << (s.bench.rng() % static_cast<uint64_t>(s.config.regions()));
