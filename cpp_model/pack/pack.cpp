@@ -28,6 +28,7 @@ namespace {
 constexpr double kOutlier = 1024;  // a mean this many scene radii away is left out: it would eat everybody's bits
 constexpr double kWindowAngle =
     0.2;  // side of a window as the packing order sees it, of the scene's radius; docs/units/dopu.md
+constexpr double kProxyGrowth = 1.1;  // most by which proxies may widen a group's hull, in area; docs/units/dopu.md
 constexpr size_t kBlock = 16384;      // Gaussians of one piece of parallel work
 constexpr size_t kChunkBlock = 1024;  // chunks of one
 constexpr size_t kLargeCell = 65536;  // Gaussians of a cell that several threads share
@@ -293,28 +294,38 @@ size_t order_and_cut(const Scene& scene, std::vector<uint32_t> kept, const Scene
   return cut_chunks(cells, packed);
 }
 
+// The node above the first `count` of its children, and what it knows already.
+Node parent_of(const Config& config, const Node& node, const std::vector<Node>& children, uint64_t count) {
+  const auto first = children.begin() + static_cast<std::ptrdiff_t>(node.first);
+  Node parent = make_parent(config, std::span(first, count));
+  parent.first = node.first, parent.count = node.count, parent.error = node.error;
+  return parent;
+}
+
+// All that may be drawn for a group is in its box. If proxies widen it so much that windows open it in vain, they are
+// not used.
+Node group_of(const Config& config, const Node& group, const std::vector<Node>& chunks) {
+  Node own = parent_of(config, group, chunks, group.count);
+  if (!config.lod || group.error == dopu_lod_never(config)) return own;
+  const Node both = parent_of(config, group, chunks, group.count + dopu_lod_chunks(config, group.count));
+  if (hull_area(both) <= kProxyGrowth * hull_area(own)) return both;
+  own.error = dopu_lod_never(config);
+  return own;
+}
+
 void fill_nodes(const Source& source, PackedScene& packed) {
+  const Config& config = packed.config;
   packed.gaussians.resize(packed.slot_to_index.size());
-  if (packed.config.coded()) packed.codes.resize(packed.slot_to_index.size());
+  if (config.coded()) packed.codes.resize(packed.slot_to_index.size());
   for_blocks(packed.chunks.size(), kChunkBlock, packed.counts, [&](size_t begin, size_t end, PackCounts& counts) {
     for (size_t i = begin; i < end; ++i) fill_chunk(source, packed, packed.chunks[i], counts);
   });
-  // `more(node)`: what lies behind its children and is in its box, too.
-  const auto fill_parents = [&](std::vector<Node>& parents, const std::vector<Node>& children, auto&& more) {
-    for (Node& node : parents) {
-      if (node.count == 0) continue;
-      const std::span all(children.begin() + static_cast<std::ptrdiff_t>(node.first), node.count + more(node));
-      Node parent = make_parent(packed.config, all);
-      parent.first = node.first, parent.count = node.count, parent.error = node.error;
-      node = parent;
-    }
-  };
-  fill_parents(packed.groups, packed.chunks,
-               [&](const Node& group) { return packed.config.lod ? dopu_lod_chunks(packed.config, group.count) : 0; });
-  if (packed.config.has_watermarks()) {
-    packed.cells = cell_table(packed.cells, packed.groups, static_cast<size_t>(packed.config.table_cells()));
+  for (Node& group : packed.groups) group = group_of(config, group, packed.chunks);
+  if (config.has_watermarks())
+    packed.cells = cell_table(packed.cells, packed.groups, static_cast<size_t>(config.table_cells()));
+  for (Node& cell : packed.cells) {
+    if (cell.count != 0) cell = parent_of(config, cell, packed.groups, cell.count);
   }
-  fill_parents(packed.cells, packed.groups, [](const Node&) { return 0; });
 }
 
 void pack_colors(const Source& source, PackedScene& packed) {

@@ -139,4 +139,10 @@ Node make_parent(const Config& config, std::span<const Node> children) {
   return node;
 }
 
+double hull_area(const Node& node) {
+  const double x = static_cast<double>(node.down_x + node.up_x), y = static_cast<double>(node.down_y + node.up_y),
+               z = static_cast<double>(node.down_z + node.up_z);
+  return std::ldexp(x * y + y * z + z * x, 2 * static_cast<int>(node.half_exp));
+}
+
 }  // namespace pipegs

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cpp_model/dopu/nearest/dopu_lod.hpp"
 #include "cpp_model/pack/pack_error.hpp"
 #include "cpp_model/pack/pack_merge.hpp"
 
@@ -25,12 +26,11 @@ struct Drawn {
 
 // A size in world units as the field: its octave, then ErrorBits of mantissa, rounded up.
 uint64_t encode_error(const Config& config, double world) {
-  const uint64_t never = (uint64_t{1} << config.error_w()) - 1;
   if (!(world > 1)) return 0;
   int octave;
   const double mantissa = std::frexp(world, &octave) * 2 - 1,  // 0 to 1
       step = std::ldexp(octave - 1 + mantissa, Config::error_bits());
-  return static_cast<uint64_t>(std::min(std::ceil(step), static_cast<double>(never)));
+  return static_cast<uint64_t>(std::min(std::ceil(step), static_cast<double>(dopu_lod_never(config))));
 }
 
 }  // namespace
@@ -69,12 +69,12 @@ uint64_t make_proxies(const Config& config, const Scene& scene, std::span<const 
     }
   }
   const size_t saved = whole.gaussians.size() - (next - first);
-  if (saved == 0) return encode_error(config, HUGE_VAL);
+  if (saved == 0) return dopu_lod_never(config);
   Drawn few;
   for (size_t i = first; i < next; ++i) few.add(proxies.scene, i);
   const double pixel =
       alike_pixel(whole.gaussians, whole.dc, few.gaussians, few.dc, kLoss * static_cast<double>(saved));
-  return encode_error(config, pixel == kNeverAlike ? HUGE_VAL : std::ldexp(pixel, -scene_exponent));
+  return pixel == kNeverAlike ? dopu_lod_never(config) : encode_error(config, std::ldexp(pixel, -scene_exponent));
 }
 
 }  // namespace pipegs

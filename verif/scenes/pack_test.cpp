@@ -15,6 +15,7 @@
 #include <set>
 #include <span>
 
+#include "cpp_model/pack/pack_nodes.hpp"
 #include "cpp_model/pack/pack_order.hpp"
 #include "cpp_model/pack/pack_quantize.hpp"
 #include "verif/dopu/dopu_world.hpp"
@@ -96,7 +97,9 @@ void check(const Config& config, const Scene& scene, const PackedScene& packed) 
             ASSERT_LE(std::abs(error),
                       std::ldexp(0.5001, unit + packed.scene_exponent) + std::ldexp(0.5, packed.scene_exponent));
           }
+          const bool is_used = !is_proxy || group.error != dopu_lod_never(config);
           for (const Node* node : {&chunk, &group, &cell}) {
+            if (node != &chunk && !is_used) continue;
             ASSERT_TRUE(inside(*node, chunk, record)) << "slot " << slot;
             ASSERT_GE(scale_value(config, node->scale_max), effective_scale(config, record));
             if (config.tight_boxes) { ASSERT_TRUE(covers(config, *node, chunk, record)) << "slot " << slot; }
@@ -152,6 +155,29 @@ TEST(Pack, KeepsItsPromisesInEveryConfiguration) {
       check(config, scene, pack_scene(config, scene, 10));
     }
   }
+}
+
+TEST(Pack, ProxiesThatWouldWidenTheirGroupMuchAreNotUsed) {
+  std::mt19937_64 rng(1);
+  Config config;
+  for (const char* assignment : {"tight_boxes=1", "lod=1"}) config_set(config, assignment);
+  config.late = 1;
+  config.order = 2;
+  const Scene scene = random_scene(rng, 5000, 1);
+  const PackedScene packed = pack_scene(config, scene, 10);
+  check(config, scene, packed);
+  size_t never = 0;
+  for (const Node& group : packed.groups) {
+    const auto first = packed.chunks.begin() + static_cast<std::ptrdiff_t>(group.first);
+    const double own = hull_area(make_parent(config, std::span(first, group.count))), area = hull_area(group);
+    if (group.error == dopu_lod_never(config)) {
+      EXPECT_EQ(area, own);
+      ++never;
+    }
+    EXPECT_LE(area, 1.1 * own);
+  }
+  EXPECT_GT(never, packed.groups.size() / 8);
+  EXPECT_LT(never, packed.groups.size());
 }
 
 TEST(Pack, LeavesOutWhatCannotBeDrawnAndCountsIt) {

@@ -36,8 +36,11 @@ inline uint64_t dopu_lod_chunks(const Config& config, uint64_t chunks) {
   return (chunks + (uint64_t{1} << shift) - 1) >> shift;
 }
 
+// A group's error if no proxies are to stand for it.
+inline uint64_t dopu_lod_never(const Config& config) { return (uint64_t{1} << config.error_w()) - 1; }
+
 inline bool dopu_lod_coarse(const Config& config, const Frame& frame, const Node& group, int bucket) {
-  if (frame.lod == 0 || group.error == (uint64_t{1} << config.error_w()) - 1) return false;
+  if (frame.lod == 0 || group.error == dopu_lod_never(config)) return false;
   const auto step = static_cast<int>(group.error << (config.bucket_bits - Config::error_bits()));
   return step + static_cast<int>(frame.lod) <= dopu_depth_edge(config, frame, bucket);
 }

@@ -163,11 +163,16 @@ module dopu_nearest #(
     end
   end
 
-  logic               result_valid, result_pass, result_last, result_kept;
-  logic [1:0]         result_level;
-  logic [BucketW-1:0] result_bucket;
-  logic [PlaceW-1:0]  result_place;
-  logic [RangeW-1:0]  result_range, opened_range;  // a parent's children; those that are opened
+  typedef struct packed {
+    logic                         pass, last;
+    logic [1:0]                   level;
+    logic [BucketW-1:0]           bucket;
+    logic [pipegs_pkg::LoadW-1:0] farthest;
+    logic [PlaceW-1:0]            place;
+    logic [RangeW-1:0]            range;  // of a parent the children that are opened
+  } result_t;
+  result_t ranked, result;  // the range as it is packed, the one that is opened
+  logic    ranked_valid, result_valid, result_kept;
 
   dopu_rank #(.TagW(3)) u_rank (
     .clk_i,
@@ -185,34 +190,46 @@ module dopu_nearest #(
     .tight_i(tight[level]),
     .scale_i(scale[level]),
     .tag_i({child_last[level], level}),
-    .result_valid_o(result_valid),
-    .result_pass_o(result_pass),
-    .result_tag_o({result_last, result_level}),
-    .result_bucket_o(result_bucket),
-    .result_far_o(group_far_o),
-    .result_place_o(result_place),
-    .result_range_o(result_range)
+    .result_valid_o(ranked_valid),
+    .result_pass_o(ranked.pass),
+    .result_tag_o({ranked.last, ranked.level}),
+    .result_bucket_o(ranked.bucket),
+    .result_far_o(ranked.farthest),
+    .result_place_o(ranked.place),
+    .result_range_o(ranked.range)
   );
-  if (pipegs_pkg::Lod == 1) begin : gen_lod
+  if (pipegs_pkg::Lod == 1) begin : gen_lod  // a cycle later: the bucket comes late
+    result_t           ranked_q;
     logic [RangeW-1:0] group_range;
+
+    always_ff @(posedge clk_i or negedge rst_ni) begin
+      if (!rst_ni) result_valid <= 1'b0;
+      else result_valid <= ranked_valid;
+    end
+    always_ff @(posedge clk_i) ranked_q <= ranked;
+
     dopu_lod u_lod (
       .lod_i,
       .near_step_i(near_step),
-      .range_i(result_range),
-      .bucket_i(result_bucket),
+      .range_i(ranked_q.range),
+      .bucket_i(ranked_q.bucket),
       .range_o(group_range)
     );
-    assign opened_range = result_level == 2'd1 ? group_range : result_range;
+    always_comb begin
+      result = ranked_q;
+      if (ranked_q.level == 2'd1) result.range = group_range;
+    end
   end else begin : gen_no_lod
-    assign opened_range = result_range;
+    assign {result_valid, result} = {ranked_valid, ranked};
     logic unused_lod;
     assign unused_lod = ^lod_i;
   end
-  assign group_valid_o  = result_valid && result_pass && result_level == 2'd1 && judges;
-  assign group_chunks_o = opened_range[SlotW +: CountW];
-  assign group_near_o   = result_bucket[BucketW-1 -: pipegs_pkg::LoadW];
+  assign group_valid_o  = result_valid && result.pass && result.level == 2'd1 && judges;
+  assign group_chunks_o = result.range[SlotW +: CountW];
+  assign group_near_o   = result.bucket[BucketW-1 -: pipegs_pkg::LoadW];
+  assign group_far_o    = result.farthest;
   assign counted_o      = through[1] && judges;
-  assign result_kept    = result_pass || result_last;
+  assign result_kept    = result.pass || result.last;
 
   // --- results: one queue per level, so that no level waits for one above it ----------------------------------------
   logic [Levels-1:0]  held_valid, held_pass, held_last, live, queue_ready, push;
@@ -226,13 +243,13 @@ module dopu_nearest #(
       logic [BucketW-1:0]   bucket;
       logic [ReservedW-1:0] count;
 
-      assign push[l]   = result_valid && result_level == 2'(l) && result_kept;
-      assign missed[l] = result_valid && result_level == 2'(l) && !result_kept;
+      assign push[l]   = result_valid && result.level == 2'(l) && result_kept;
+      assign missed[l] = result_valid && result.level == 2'(l) && !result_kept;
       if (l == 2) begin : gen_chunk
-        assign result_data = {result_range[ChunkRangeW-1:0], result_place};
+        assign result_data = {result.range[ChunkRangeW-1:0], result.place};
         assign held[l]     = held_data;
       end else begin : gen_parent
-        assign result_data = opened_range;
+        assign result_data = result.range;
         assign held[l]     = {held_data, {(DataW - RangeW){1'b0}}};
       end
 
@@ -241,7 +258,7 @@ module dopu_nearest #(
         .rst_ni,
         .in_valid_i(push[l]),
         .in_ready_o(queue_ready[l]),
-        .in_i({result_last, result_pass, result_bucket, result_data}),
+        .in_i({result.last, result.pass, result.bucket, result_data}),
         .out_valid_o(held_valid[l]),
         .out_ready_i(retired[l]),
         .out_o({held_last[l], held_pass[l], bucket, held_data}),
