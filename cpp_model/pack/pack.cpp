@@ -28,8 +28,9 @@ namespace {
 constexpr double kOutlier = 1024;  // a mean this many scene radii away is left out: it would eat everybody's bits
 constexpr double kWindowAngle =
     0.2;  // side of a window as the packing order sees it, of the scene's radius; docs/units/dopu.md
-constexpr double kProxyGrowth = 1.1;  // most by which proxies may widen a group's hull, in area; docs/units/dopu.md
-constexpr size_t kBlock = 16384;      // Gaussians of one piece of parallel work
+constexpr double kProxyGrowth =
+    1.01;                         // most by which proxies may add to the windows that open a group; docs/units/dopu.md
+constexpr size_t kBlock = 16384;  // Gaussians of one piece of parallel work
 constexpr size_t kChunkBlock = 1024;  // chunks of one
 constexpr size_t kLargeCell = 65536;  // Gaussians of a cell that several threads share
 
@@ -97,6 +98,13 @@ SceneBox robust_box(const Scene& scene, const std::vector<uint32_t>& kept) {
     box.high[axis] = percentile(0.98);
   });
   return box;
+}
+
+// Side of a window where it looks into the box, scene units.
+double window_side(const SceneBox& box) {
+  double diagonal = 0;
+  for (int axis = 0; axis < 3; ++axis) diagonal += (box.high[axis] - box.low[axis]) * (box.high[axis] - box.low[axis]);
+  return kWindowAngle * std::sqrt(diagonal) / 2;
 }
 
 // What a slot holds: a Gaussian of the scene, or of the proxies behind them.
@@ -285,12 +293,10 @@ void fill_chunk(const Source& source, PackedScene& packed, Node& chunk, PackCoun
 }
 
 // Gives slots and chunks to the Gaussians that are kept; frees what only the order needs. The number of proxies.
-size_t order_and_cut(const Scene& scene, std::vector<uint32_t> kept, const SceneBox& box, PackedScene& packed) {
+size_t order_and_cut(const Scene& scene, std::vector<uint32_t> kept, double window, PackedScene& packed) {
   CellItems cells = cell_items(scene, kept, packed);
   kept = {};
-  double diagonal = 0;
-  for (int axis = 0; axis < 3; ++axis) diagonal += (box.high[axis] - box.low[axis]) * (box.high[axis] - box.low[axis]);
-  order_cells(packed.config, static_cast<float>(kWindowAngle * std::sqrt(diagonal) / 2), cells);
+  order_cells(packed.config, static_cast<float>(window), cells);
   return cut_chunks(cells, packed);
 }
 
@@ -302,25 +308,26 @@ Node parent_of(const Config& config, const Node& node, const std::vector<Node>& 
   return parent;
 }
 
-// All that may be drawn for a group is in its box. If proxies widen it so much that windows open it in vain, they are
-// not used.
-Node group_of(const Config& config, const Node& group, const std::vector<Node>& chunks) {
+// All that may be drawn for a group is in its box. If proxies widen it so that many more windows (world units) open it,
+// they are not used.
+Node group_of(const Config& config, const Node& group, const std::vector<Node>& chunks, double window) {
   Node own = parent_of(config, group, chunks, group.count);
   if (!config.lod || group.error == dopu_lod_never(config)) return own;
   const Node both = parent_of(config, group, chunks, group.count + dopu_lod_chunks(config, group.count));
-  if (hull_area(both) <= kProxyGrowth * hull_area(own)) return both;
+  if (hull_area(both, window) <= kProxyGrowth * hull_area(own, window)) return both;
   own.error = dopu_lod_never(config);
   return own;
 }
 
-void fill_nodes(const Source& source, PackedScene& packed) {
+void fill_nodes(const Source& source, double window, PackedScene& packed) {
   const Config& config = packed.config;
   packed.gaussians.resize(packed.slot_to_index.size());
   if (config.coded()) packed.codes.resize(packed.slot_to_index.size());
   for_blocks(packed.chunks.size(), kChunkBlock, packed.counts, [&](size_t begin, size_t end, PackCounts& counts) {
     for (size_t i = begin; i < end; ++i) fill_chunk(source, packed, packed.chunks[i], counts);
   });
-  for (Node& group : packed.groups) group = group_of(config, group, packed.chunks);
+  const double side = std::ldexp(window, -packed.scene_exponent);
+  for (Node& group : packed.groups) group = group_of(config, group, packed.chunks, side);
   if (config.has_watermarks())
     packed.cells = cell_table(packed.cells, packed.groups, static_cast<size_t>(config.table_cells()));
   for (Node& cell : packed.cells) {
@@ -412,14 +419,15 @@ PackedScene pack_scene(const Config& config, const Scene& scene, double coordina
   std::frexp(bound, &exponent);
   packed.scene_exponent = exponent - (config.world_w - 3);
   packed.grid = make_grid(config, box, packed.scene_exponent);
+  const double window = window_side(box);
   Proxies proxies;
   const Source source{scene, proxies};
-  packed.counts.proxies = order_and_cut(scene, std::move(kept), box, packed);
+  packed.counts.proxies = order_and_cut(scene, std::move(kept), window, packed);
   if (config.lod) {
     proxies.resize(scene, packed.counts.proxies);
     fill_proxies(scene, packed, proxies);
   }
-  fill_nodes(source, packed);
+  fill_nodes(source, window, packed);
   check_sizes(config, scene, packed);
   pack_colors(source, packed);
   for (uint32_t& index : packed.slot_to_index) {

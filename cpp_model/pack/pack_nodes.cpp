@@ -139,10 +139,12 @@ Node make_parent(const Config& config, std::span<const Node> children) {
   return node;
 }
 
-double hull_area(const Node& node) {
-  const double x = static_cast<double>(node.down_x + node.up_x), y = static_cast<double>(node.down_y + node.up_y),
-               z = static_cast<double>(node.down_z + node.up_z);
-  return std::ldexp(x * y + y * z + z * x, 2 * static_cast<int>(node.half_exp));
+double hull_area(const Node& node, double around) {
+  const auto side = [&](uint64_t down, uint64_t up) {
+    return around + std::ldexp(static_cast<double>(down + up), static_cast<int>(node.half_exp) + 1);
+  };
+  const double x = side(node.down_x, node.up_x), y = side(node.down_y, node.up_y), z = side(node.down_z, node.up_z);
+  return x * y + y * z + z * x;
 }
 
 }  // namespace pipegs

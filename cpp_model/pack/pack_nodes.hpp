@@ -30,8 +30,8 @@ GridBox make_grid(const Config& config, const SceneBox& box, int scene_exponent)
 Node make_chunk(const Config& config, std::span<const WorldPoint> means, std::span<GaussianRecord> records,
                 uint64_t scale_exp = 0);
 
-// Surface of the box around a node's hull, up to a constant; 0 without tight_boxes.
-double hull_area(const Node& node);
+// Half the surface of a box as wide as a node's hull and `around` more along each axis, world units squared.
+double hull_area(const Node& node, double around);
 
 // The box around the chunks of a group or the groups of a cell.
 Node make_parent(const Config& config, std::span<const Node> children);

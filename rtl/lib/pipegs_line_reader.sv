@@ -9,7 +9,7 @@
 //         ItemsPerLine of the table. A job that names nothing, or what lies behind the table's end, is bad: the lines
 //         of those before it still come, its own are never asked for, and no job is taken any more.
 // Stream  job: first item, count, tag. mem: first line and number of lines of a request; rsp: the lines in the same
-//         order, always accepted. out: one beat per item, or per marker, with the job's tag. bad_o stays, bad_line_o is
+//         order, always accepted. out: one beat per item, or per marker, with the job's tag, the last one marked. bad_o stays, bad_line_o is
 //         the line that the job named first.
 // Pace    One item per cycle while the memory delivers; one request per cycle, one cycle between jobs.
 // Model   A queue of chunks in verif/pu/front/pu_fetch_test.cpp.
@@ -46,6 +46,7 @@ module pipegs_line_reader #(
   input  logic                              out_ready_i,
   output logic                              out_read_o,
   output logic [IndexW-1:0]                 out_index_o,
+  output logic                              out_last_o,   // of its job
   output logic [TagW-1:0]                   out_tag_o,
   output logic [ItemW-1:0]                  out_item_o,
 
@@ -187,6 +188,7 @@ module pipegs_line_reader #(
   assign out_read_o  = job_read;
   assign out_index_o = job_first + IndexW'(item_q);
   assign out_tag_o   = job_tag;
+  assign out_last_o  = last;
   assign last        = !job_read || item_q + 1'b1 == job_count;
   assign job_pop     = out_valid_o && out_ready_i && last;
   assign line_pop    = out_valid_o && out_ready_i && job_read && (last || line_end);
@@ -221,14 +223,14 @@ module pipegs_line_reader #(
     .beat_i({mem_address_o, mem_lines_o})
   );
   pipegs_stream_check #(
-    .DataW($bits({out_read_o, out_index_o, out_tag_o, out_item_o})),
+    .DataW($bits({out_read_o, out_index_o, out_last_o, out_tag_o, out_item_o})),
     .Proven(1)
   ) u_check_out (
     .clk_i,
     .rst_ni,
     .valid_i(out_valid_o),
     .ready_i(out_ready_i),
-    .beat_i({out_read_o, out_index_o, out_tag_o, out_read_o ? out_item_o : '0})  // a marker has no item
+    .beat_i({out_read_o, out_index_o, out_last_o, out_tag_o, out_read_o ? out_item_o : '0})  // a marker has no item
   );
 `endif
 

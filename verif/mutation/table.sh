@@ -83,8 +83,8 @@ mutant dopu_rank "the smaller of own and parent's bucket instead of the larger" 
 mutant dopu_rank "the third test's result is taken for the second's" "s/valid\[1\] \? 2'd1 : 2'd2/2'd1/" dopu_nearest
 mutant dopu_send "a watermark is sent although it has not risen" 's/(mark_due *= .*) && risen/\1/' dopu_nearest
 mutant dopu_send "what is shown is taken back when its window is done" 's/ && !shown_q;/;/' dopu_nearest
-mutant dopu_open "the last child but one counts as the last too" \
-       "s/(child_last_o = )(CountW'\(index\)) == last/\1\2 == last || \2 + 1'b1 == last/" dopu_nearest
+mutant pipegs_line_reader "the last item but one of a job is marked as the last, too" \
+       "s/(out_last_o *= )last;/\1last || item_q + 2'd2 == job_count;/" dopu_nearest
 mutant dopu_bucket "a word of buckets is given up although another chain is left in it" \
        's/if \(!own_left\) some_q/some_q/'
 mutant dopu_bucket "an insert forgets the other chains of its word" "s/some_own_q \? read : '0/'0/"

@@ -47,7 +47,7 @@ module pu_fetch #(
   localparam int unsigned ItemW = pipegs_pkg::Coded ? pipegs_pkg::GaussianCodeBits : pipegs_pkg::GaussianRecordBits;
   logic [ItemW-1:0]                    item;
   logic [pipegs_pkg::SlotW-1:0]        slot;
-  logic                                is_data;
+  logic                                is_data, last;
 
   assign chunk = chunk_i;  // the header lies lowest, as in what was fetched
 
@@ -77,6 +77,7 @@ module pu_fetch #(
     .out_ready_i(fetched_ready_i),
     .out_read_o(is_data),
     .out_index_o(slot),
+    .out_last_o(last),
     .out_tag_o(header),
     .out_item_o(item),
     .bad_o,
@@ -85,8 +86,8 @@ module pu_fetch #(
     .idle_o
   );
 
-  logic unused_chunk;
-  assign unused_chunk = ^chunk;
+  logic unused;
+  assign unused = ^{chunk, last};
 
   // Fields of a Gaussian stand in the order of the beat; an end beat carries zeros.
   assign fetched_o = {{pipegs_pkg::SlotW{is_data}} & slot, {ItemW{is_data}} & item, header};
