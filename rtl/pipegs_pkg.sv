@@ -1348,8 +1348,9 @@ package pipegs_pkg;
   } control_bus_timeout_t;
 
   // Registers that the configuration fixes: {offset of 16 bits, value of 32}.
-  localparam int unsigned ControlConstants = 14;
+  localparam int unsigned ControlConstants = 15;
   localparam logic [ControlConstants*48-1:0] ControlConstantTable = {
+    48'h00a8_00000012,  // CONFIG_LESS
     48'h00a4_00040100,  // CONFIG_OVERFLOW
     48'h00a0_00ff4022,  // CONFIG_MEMORY
     48'h009c_0f0d2016,  // CONFIG_LENS
@@ -1361,7 +1362,7 @@ package pipegs_pkg;
     48'h0084_10030e52,  // CONFIG_POINT
     48'h0080_10048004,  // CONFIG_COUNTS
     48'h000c_2d310862,  // CONFIG_HASH
-    48'h0008_f27f7c9b,  // LAYOUT
+    48'h0008_5f32e8a0,  // LAYOUT
     48'h0004_00030001,  // VERSION
     48'h0000_47504950  // ID
   };

@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0
- * pipegs_budget.h: the level of detail of each frame such that frames take the cycles that there are.
+ * pipegs_budget.h: how much worse a frame may be such that frames take the cycles that there are.
  *
- * Paper   None: level of detail, docs/units/dopu.md.
- * Idea    What the last frame took is known when the next one is queued (counter of its cycles, alone or queued). The
- *         level moves by as many octaves as the cycles lie off what is wanted, divided by how many an octave of it has
- *         changed them lately; towards more detail it goes half of that way. Within a sixteenth below it stays. So a
- *         picture that does not move keeps its level, and no proxy pops.
+ * Paper   None: raster.rest and level of detail, docs/numerics/time.md, docs/units/dopu.md.
+ * Idea    One level, 0 for the whole picture. First raster.rest rises, which costs least, then groups take proxies
+ *         that differ by more and more pixels while the rest goes on rising slowly; a machine that has one of the two
+ *         uses that. What the last frame took is known when the next one is queued (counter of its cycles, alone or
+ *         queued): the level moves by as many octaves as the cycles lie off what is wanted, divided by how many an
+ *         octave of it has changed them lately; towards a better picture it goes half of that way. Within a sixteenth
+ *         below it stays. So a picture that does not move keeps its level, and no proxy pops.
  * Numbers Integers alone; octaves in 1/256, of which a number's logarithm is good to 0.09. */
 #ifndef PIPEGS_BUDGET_H
 #define PIPEGS_BUDGET_H
@@ -18,16 +20,18 @@ extern "C" {
 
 struct pipegs_budget {
   uint64_t cycles; /* wanted of a frame */
-  int32_t octave;  /* steps of the frame field lod in an octave */
-  int32_t finest;  /* the level at which the first groups take proxies */
-  int32_t coarser; /* steps below that; 0: no proxies */
+  int32_t rest_w;  /* bits of raster.rest; 0: the machine has none */
+  int32_t octave;  /* steps of the field lod in an octave; 0: the machine has none */
+  int32_t finest;  /* the field lod at which the first groups take proxies */
+  int32_t level;   /* 1/256 octave; 0: the whole picture */
+  int32_t most;    /* the highest one */
   int32_t slope;   /* octaves of cycles for one of the level, 1/256 */
-  int32_t moved;   /* by what the level moved last, 1/256 octave */
+  int32_t moved;   /* by what the level moved last */
   int32_t last;    /* log2 of what the frame before took, 1/256 */
 };
 
-/* For frames of cameras with about this focal length; false on a machine without proxies (lod = 0). The first frame is
- * drawn with those that differ by PIPEGS_BUDGET_FIRST pixels: coarse, since nothing is known of the scene. */
+/* For frames of cameras with about this focal length; false on a machine with neither field (CONFIG_LESS). The first
+ * frame is drawn at a high level, proxies that differ by PIPEGS_BUDGET_FIRST pixels: nothing is known of the scene. */
 #define PIPEGS_BUDGET_FIRST 4
 bool pipegs_budget_begin(const struct pipegs_configuration *config, const struct pipegs_camera *camera, uint64_t cycles,
                          struct pipegs_budget *budget);
@@ -35,8 +39,8 @@ bool pipegs_budget_begin(const struct pipegs_configuration *config, const struct
 /* A frame at the level of now has taken so many cycles. */
 void pipegs_budget_took(struct pipegs_budget *budget, uint64_t cycles);
 
-/* The field lod of the next frame. */
-uint64_t pipegs_budget_lod(const struct pipegs_budget *budget);
+/* The fields raster.rest and lod of the next frame. */
+void pipegs_budget_set(const struct pipegs_budget *budget, struct pipegs_frame *frame);
 
 #ifdef __cplusplus
 }

@@ -22,7 +22,7 @@
 
 #define PIPEGS_LAYOUT 0x008u /* which table of registers this is */
 #define PIPEGS_LAYOUT_HASH 0xffffffffu /* FNV-1a of all names and places: the driver has the same */
-#define PIPEGS_LAYOUT_VALUE 0xf27f7c9bu
+#define PIPEGS_LAYOUT_VALUE 0x5f32e8a0u
 
 #define PIPEGS_CONFIG_HASH 0x00cu /* which machine this is */
 #define PIPEGS_CONFIG_HASH_HASH 0xffffffffu /* FNV-1a of name=value; of every choice in config.def */
@@ -124,9 +124,6 @@
 #define PIPEGS_CONFIG_POINT_TIGHT_BOXES_SHIFT 10
 #define PIPEGS_CONFIG_POINT_OVERFLOW 0x00000800u /* 1: the overflow area is used */
 #define PIPEGS_CONFIG_POINT_OVERFLOW_SHIFT 11
-/* a step of the frame field lod is 2^-lod_bits octaves; 0: no proxies */
-#define PIPEGS_CONFIG_POINT_LOD_BITS 0x0000f000u
-#define PIPEGS_CONFIG_POINT_LOD_BITS_SHIFT 12
 #define PIPEGS_CONFIG_POINT_SH_DEGREE 0x00030000u /* highest SH degree */
 #define PIPEGS_CONFIG_POINT_SH_DEGREE_SHIFT 16
 #define PIPEGS_CONFIG_POINT_CODED 0x00040000u /* 1: records of Gaussians are codes of 48 bytes */
@@ -203,6 +200,11 @@
 #define PIPEGS_CONFIG_OVERFLOW_ALPHA_MEMORY_LINES_SHIFT 20
 #define PIPEGS_CONFIG_OVERFLOW_LIST_ENTRY_W 0xff000000u /* entry of a list of a window, 0: no lists */
 #define PIPEGS_CONFIG_OVERFLOW_LIST_ENTRY_W_SHIFT 24
+
+#define PIPEGS_CONFIG_LESS 0x0a8u /* fields of a frame that trade accuracy for time */
+#define PIPEGS_CONFIG_LESS_REST_W 0x000000ffu /* raster.rest, all of it fraction; 0: absent */
+#define PIPEGS_CONFIG_LESS_LOD_BITS 0x0000ff00u /* a step of the field lod is 2^-lod_bits octaves; 0: absent */
+#define PIPEGS_CONFIG_LESS_LOD_BITS_SHIFT 8
 
 #define PIPEGS_FRAME 0x200u /* parameters of the frame, each field of frame_t */
 #define PIPEGS_FRAME_SLOTS 51
@@ -594,7 +596,6 @@ struct pipegs_configuration {
   uint32_t tight_cull; /* 1: lens.spread_x and spread_y exist */
   uint32_t tight_boxes; /* 1: a node holds the box around its ellipsoids */
   uint32_t overflow; /* 1: the overflow area is used */
-  uint32_t lod_bits; /* a step of the frame field lod is 2^-lod_bits octaves; 0: no proxies */
   uint32_t sh_degree; /* highest SH degree */
   uint32_t coded; /* 1: records of Gaussians are codes of 48 bytes */
   uint32_t table_cells; /* entries of the table of cells */
@@ -629,6 +630,8 @@ struct pipegs_configuration {
   uint32_t parts; /* of a window, each with splats of its own */
   uint32_t alpha_memory_lines; /* of memory for a region's alphas, 0: none lie there */
   uint32_t list_entry_w; /* entry of a list of a window, 0: no lists */
+  uint32_t rest_w; /* raster.rest, all of it fraction; 0: absent */
+  uint32_t lod_bits; /* a step of the field lod is 2^-lod_bits octaves; 0: absent */
 };
 
 /* FIELD(name, offset, lowest bit, width) for each field of struct pipegs_configuration. */
@@ -646,7 +649,6 @@ struct pipegs_configuration {
   FIELD(tight_cull, PIPEGS_CONFIG_POINT, 9, 1) \
   FIELD(tight_boxes, PIPEGS_CONFIG_POINT, 10, 1) \
   FIELD(overflow, PIPEGS_CONFIG_POINT, 11, 1) \
-  FIELD(lod_bits, PIPEGS_CONFIG_POINT, 12, 4) \
   FIELD(sh_degree, PIPEGS_CONFIG_POINT, 16, 2) \
   FIELD(coded, PIPEGS_CONFIG_POINT, 18, 1) \
   FIELD(table_cells, PIPEGS_CONFIG_POINT, 20, 12) \
@@ -680,6 +682,8 @@ struct pipegs_configuration {
   FIELD(regions, PIPEGS_CONFIG_OVERFLOW, 0, 16) \
   FIELD(parts, PIPEGS_CONFIG_OVERFLOW, 16, 4) \
   FIELD(alpha_memory_lines, PIPEGS_CONFIG_OVERFLOW, 20, 4) \
-  FIELD(list_entry_w, PIPEGS_CONFIG_OVERFLOW, 24, 8)
+  FIELD(list_entry_w, PIPEGS_CONFIG_OVERFLOW, 24, 8) \
+  FIELD(rest_w, PIPEGS_CONFIG_LESS, 0, 8) \
+  FIELD(lod_bits, PIPEGS_CONFIG_LESS, 8, 8)
 
 #endif

@@ -81,9 +81,9 @@ TableCell cell(const Quantity& quantity, const FrameRow& row) {
   return row.cost ? number_cell(quantity.of(row)) : TableCell{};
 }
 
-std::vector<double> levels_of(const FrameTable& table) {
+std::vector<double> given_up(const FrameTable& table, std::optional<double> FrameRow::*field) {
   std::vector<double> all;
-  for (const FrameRow& row : table.rows) all.push_back(row.lod_pixels.value_or(0));
+  for (const FrameRow& row : table.rows) all.push_back((row.*field).value_or(0));
   return all;
 }
 
@@ -100,6 +100,7 @@ Table frames_table(const FrameTable& table) {
                            {.key = "camera", .heading = "camera", .word = true},
                            {.key = "width", .heading = "width"},
                            {.key = "height", .heading = "height"},
+                           {.key = "rest", .heading = "rest", .digits = 4},
                            {.key = "lod_pixels", .heading = "lod, pixels", .digits = 2},
                            {.key = "cycles", .heading = "cycles"},
                            {.key = "gap_alone", .heading = "gap"},
@@ -121,6 +122,7 @@ Table frames_table(const FrameTable& table) {
                            text_cell(row.camera.name),
                            number_cell(row.camera.width),
                            number_cell(row.camera.height),
+                           row.rest ? number_cell(*row.rest) : TableCell{},
                            row.lod_pixels ? number_cell(*row.lod_pixels) : TableCell{},
                            cell(row.cycles),
                            cell(row.gap_alone),
@@ -203,6 +205,7 @@ Json to_json(const FrameTable& table) {
                 {"camera", row.camera.name},
                 {"width", row.camera.width},
                 {"height", row.camera.height}};
+    if (row.rest) one["rest"] = *row.rest;
     if (row.lod_pixels) one["lod_pixels"] = *row.lod_pixels;
     if (row.steady) one["steady_db"] = finite_json(*row.steady);
     if (row.mismatches) one["mismatches"] = *row.mismatches;
@@ -275,7 +278,10 @@ std::vector<Chart> frame_charts(const FrameTable& table) {
         {{.name = "chip", .values = values(table, kChip)}, {.name = "DRAM", .values = values(table, kDram)}}));
   if (table.rows[0].lod_pixels)
     charts.push_back(over_frames("lod", "Level of detail of each frame", "pixels",
-                                 {{.name = "lod_pixels", .values = levels_of(table)}}));
+                                 {{.name = "lod_pixels", .values = given_up(table, &FrameRow::lod_pixels)}}));
+  if (table.rows[0].rest)
+    charts.push_back(over_frames("rest", "Transmittance below which a pixel's next Gaussian is its last", "",
+                                 {{.name = "rest", .values = given_up(table, &FrameRow::rest)}}));
   for (const Chart& chart : quality_charts(qualities(table))) charts.push_back(chart);
   charts.push_back(histogram("frames_by_cycles", "How many frames take so many cycles", "cycles",
                              values(table, kCycles),

@@ -63,26 +63,29 @@ KeptFrame read_kept(const Json& json) {
   return kept;
 }
 
-// The level of detail of each frame: that of the options, or the driver's, by what the frame before took.
+// What each frame gives up, rest and level of detail: as the options say, or the driver, by what the frame before took.
 class Levels {
  public:
-  Levels(const SimulateOptions& options, const Camera& camera, uint64_t cycles) : options_(options) {
+  Levels(const SimulateOptions& options, const Camera& camera, uint64_t cycles) {
     const pipegs_configuration config = driver_configuration(options.config);
     const pipegs_camera seen = driver_camera(camera, options.near_plane);
     if (cycles == 0) return;
     if (!pipegs_budget_begin(&config, &seen, cycles, &budget_.emplace()))
-      throw ConfigError("--budget: found no machine with levels of detail, expected one with lod=1");
+      throw ConfigError("--budget: found a machine that can give up nothing, expected early_stop=1 or lod=1");
   }
   bool budget() const { return budget_.has_value(); }
-  uint64_t next(const Camera& camera) const {
-    return budget_ ? pipegs_budget_lod(&*budget_) : dopu_lod_of(options_.config, camera.fx, options_.lod_pixels);
+  void set(Frame& frame) const {
+    if (!budget_) return;
+    pipegs_frame fields = {};
+    pipegs_budget_set(&*budget_, &fields);
+    frame.raster.rest = fields.raster_rest;
+    frame.lod = fields.lod;
   }
   void took(uint64_t cycles) {
     if (budget_) pipegs_budget_took(&*budget_, cycles);
   }
 
  private:
-  const SimulateOptions& options_;
   std::optional<pipegs_budget> budget_;
 };
 
@@ -107,8 +110,9 @@ class Sequence {
     Progress progress("frames");
     for (size_t i = 0; i < table_.rows.size(); ++i) {
       FrameRow& row = table_.rows[i];
-      const uint64_t lod = level(row, levels);
-      const MeasurementStore mine = store.of(row.camera).with({{"level", lod}});
+      Simulation simulation;
+      const Frame& frame = set_up(row, levels, simulation);
+      const MeasurementStore mine = store.of(row.camera).with({{"rest", frame.raster.rest}, {"lod", frame.lod}});
       const auto kept = mine.load(options_.config, read_kept);
       if (kept && (kept->truth || !truth_) && files_.take(kept->files)) {
         row.cycles = kept->cycles;
@@ -126,9 +130,6 @@ class Sequence {
         progress.update((static_cast<double>(i) + share) / static_cast<double>(table_.rows.size()),
                         fmt::format("{} of {}", i + 1, table_.rows.size()));
       };
-      Simulation simulation;
-      simulate_frame(packed_, row.camera, options_, simulation);
-      simulation.input.frame.lod = lod;
       simulate_golden(options_, simulation, {.progress = [&](double share) { at(0.4 * share); }});
       write(simulation, row);
       at(0.4);
@@ -157,8 +158,7 @@ class Sequence {
     std::vector<Simulation*> frames;
     for (FrameRow& row : table_.rows) {
       frames.push_back(simulations.emplace_back(std::make_unique<Simulation>()).get());
-      simulate_frame(packed_, row.camera, options_, *frames.back());
-      frames.back()->input.frame.lod = level(row, levels);
+      set_up(row, levels, *frames.back());
       simulate_golden(options_, *frames.back());
       if (levels.budget())
         levels.took(timing_run(timing_trace(frames.back()->input), options_.config, options_.memory).cycles);
@@ -211,10 +211,15 @@ class Sequence {
     before_ = std::move(now);
   }
 
-  uint64_t level(FrameRow& row, const Levels& levels) const {
-    const uint64_t lod = levels.next(row.camera);
-    if (options_.config.lod) row.lod_pixels = dopu_lod_pixels(options_.config, row.camera.fx, lod);
-    return lod;
+  const Frame& set_up(FrameRow& row, const Levels& levels, Simulation& simulation) const {
+    simulate_frame(packed_, row.camera, options_, simulation);
+    Frame& frame = simulation.input.frame;
+    levels.set(frame);
+    const Config& config = options_.config;
+    if (levels.budget() || options_.rest != 0)
+      row.rest = std::ldexp(static_cast<double>(frame.raster.rest), -config.rest_w());
+    if (config.lod) row.lod_pixels = dopu_lod_pixels(config, row.camera.fx, frame.lod);
+    return frame;
   }
 
   // What a run says of each frame: cycles from the end of the frame before, or from the start, to its own.
@@ -278,8 +283,8 @@ void SequenceArguments::add(CLI::App& app) {
       .shows_default();
   add_flag(app, "--truth", truth, "of a sequence: the float64 renders and the PSNR of each frame, too");
   add_read(app, "--budget",
-           "of a sequence: cycles of a frame, such as 4M, which the driver holds by the level of detail (--set lod=1)",
-           "INT", [this](const std::string& text) { budget = parse_cycles(text); });
+           "of a sequence: cycles of a frame, such as 4M, which the driver holds by --rest and --lod-pixels", "INT",
+           [this](const std::string& text) { budget = parse_cycles(text); });
 }
 
 void SequenceArguments::check(const CLI::App& command, const std::string& out) const {
@@ -288,8 +293,10 @@ void SequenceArguments::check(const CLI::App& command, const std::string& out) c
       throw ConfigError(fmt::format("{}: found one frame, expected --views or --path", option));
   }
   if (!wanted()) return;
-  if (budget != 0 && is_given(command, "--lod-pixels"))
-    throw ConfigError("--lod-pixels: found --budget, expected one of them");
+  for (const char* option : {"--rest", "--lod-pixels"}) {
+    if (budget != 0 && is_given(command, option))
+      throw ConfigError(fmt::format("{}: found --budget, too, expected one of them", option));
+  }
   for (const std::string& kind : frames) {
     if (kind != "png" && kind != "exr" && (kind != "none" || frames.size() > 1))
       throw ConfigError(fmt::format("--frames: found {}, expected png, exr or none alone", quote(kind)));

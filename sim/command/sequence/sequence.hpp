@@ -5,7 +5,7 @@
 //         so many frames. With the RTL all frames run twice, each queued behind the one before and each when the
 //         machine is empty, and every beat and pixel is compared. With --no-rtl the golden model draws and the timing
 //         model counts, frame by frame: for hundreds of frames, and a run that was stopped goes on where it was. With
-//         --budget the driver (pipegs_budget.h) chooses the level of detail of each frame by what the last one took.
+//         --budget the driver (pipegs_budget.h) chooses what each frame gives up by what the last one took.
 // Writes  Pictures (frame_files.hpp), sequence.json, frames.csv; sequence.html with --page; kept/ with --no-rtl.
 #pragma once
 
@@ -26,7 +26,7 @@ struct SequenceArguments {
   int path = 0;            // frames
   std::vector<std::string> frames = {"png"};
   bool truth = false;   // the float64 renders of each frame, too
-  uint64_t budget = 0;  // cycles of a frame; 0: the level of detail is that of --lod-pixels
+  uint64_t budget = 0;  // cycles of a frame; 0: rest and level of detail are those of the options
 
   void add(CLI::App& app);
   bool wanted() const { return !views.empty() || path > 0; }
