@@ -1071,7 +1071,7 @@ package pipegs_pkg;
     logic ext;
     logic [AlphaAddressW-1:0] address;
     logic [MaskW-1:0] mask;
-    logic [QuarterW-1:0] quarter;  // where the coefficients lie in their line, SH degree 1
+    logic [QuarterW-1:0] quarter;  // where the coefficients lie in their line, if it holds those of more than one
     logic [SplatIndexW-1:0] index;
     logic [DepthW-1:0] depth;
     logic [KindW-1:0] kind;

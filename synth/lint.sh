@@ -51,7 +51,8 @@ taps=0")
 elaborated=() simulated=("bus_w=0")
 # verif/cli/static_cost_test.cpp elaborates dop and fast, and machines like the last two with two units;
 # verif/self/streams/ready.py tspp and dpc.
-elsewhere=("${point[dop]}" "${point[fast]}" "${point[tspp]}" "${point[dpc]}" "tight_cull=1" "late=1 order=2 quads=1 lod=1")
+elsewhere=("${point[dop]}" "${point[fast]}" "${point[tspp]}" "${point[dpc]}" "tight_cull=1"
+           "late=1 order=2 quads=1 lod=1")
 for machine in "${point[@]}" "${others[@]}"; do
   for other in "${elsewhere[@]}"; do [[ -z $rest || $machine != "$other" ]] || continue 2; done
   elaborated+=("$machine")

@@ -321,6 +321,7 @@ enum pipegs_setup pipegs_setup_job(const struct pipegs_configuration *config, co
   struct pipegs_frame *const frame = &job->frame;
   enum pipegs_setup result;
   int axis;
+  *frame = (struct pipegs_frame){0}; /* the whole picture: no rest, no level of detail */
   if (!same_records(config, &scene->packed_for)) return PIPEGS_SETUP_SCENE;
   if ((result = set_windows(config, camera, windows, frame)) != PIPEGS_SETUP_OK) return result;
   if ((result = set_pose(config, scene, camera, frame)) != PIPEGS_SETUP_OK) return result;

@@ -314,7 +314,7 @@ Node group_of(const Config& config, const Node& group, const std::vector<Node>& 
   Node own = parent_of(config, group, chunks, group.count);
   if (!config.lod || group.error == dopu_lod_never(config)) return own;
   const Node both = parent_of(config, group, chunks, group.count + dopu_lod_chunks(config, group.count));
-  if (hull_area(both, window) <= kProxyGrowth * hull_area(own, window)) return both;
+  if (hull_area(config, both, window) <= kProxyGrowth * hull_area(config, own, window)) return both;
   own.error = dopu_lod_never(config);
   return own;
 }
@@ -371,6 +371,11 @@ void check_sizes(const Config& config, const Scene& scene, const PackedScene& pa
   if (packed.gaussians.size() >= uint64_t{1} << config.slot_w()) {
     throw InputError(fmt::format("scene '{}': {} slots, fewer than {} fit", scene.name, packed.gaussians.size(),
                                  uint64_t{1} << config.slot_w()));
+  }
+  // The index of a code is its slot.
+  if (config.coded() && packed.gaussians.size() > uint64_t{1} << config.index_w) {
+    throw InputError(fmt::format("scene '{}': {} slots, at most {} fit the {}-bit index", scene.name,
+                                 packed.gaussians.size(), uint64_t{1} << config.index_w, config.index_w));
   }
   for (const Node& cell : packed.cells) {
     if (cell.count >> config.children_w() != 0) {

@@ -54,7 +54,7 @@ struct PackedScene {
   NarrowTable<GaussianCode> codes;          // as they lie in memory, if coded: gaussians holds what they stand for
   std::vector<uint32_t> slot_to_index;  // index in the scene (of a proxy: of what weighs most), kPadding: empty slot
   size_t scene_gaussians = 0;           // of the scene, those left out included
-  std::vector<MemoryLine> colors;       // SH coefficients, degree 1: four slots in a line, else one
+  std::vector<MemoryLine> colors;       // SH coefficients, color_slots_per_line of them in a line
   GridBox grid;
   MemoryLayout layout;
   PackCounts counts;

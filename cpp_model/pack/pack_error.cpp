@@ -16,6 +16,7 @@ constexpr double kShBand0 = 0.28209479177387814;
 constexpr double kReach = 3.33;  // standard deviations at which an opaque Gaussian's alpha is 1/255
 constexpr int kFinest = 128;     // pixels along the widest extent
 constexpr int kCoarsest = 8;     // widest extents in a pixel
+constexpr double kPoint = 1e-100;  // scene units; what is no wider is one
 constexpr int kSteps = 2;        // halvings of an octave, to find where the loss passes the limit
 
 // A Gaussian seen along an axis; without low-pass filter.
@@ -119,11 +120,11 @@ double alike_pixel(std::span<const ActivatedGaussian> one, std::span<const glm::
           sum += apart * apart;
         }
       }
-      if (sum / 12 > most) return false;
+      if (!(sum / 12 <= most)) return false;
     }
     return true;
   };
-  if (!(widest > 0)) return alike(1) ? 1e-30 : kNeverAlike;  // a point: of any size
+  if (!(widest > kPoint)) return alike(1) ? 1e-30 : kNeverAlike;  // a point: of any size
   double pixel = kCoarsest * widest;
   if (!alike(pixel)) return kNeverAlike;
   while (pixel > 2 * widest / kFinest && alike(pixel / 2)) pixel /= 2;

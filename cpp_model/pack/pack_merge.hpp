@@ -23,7 +23,8 @@ struct Merged {
   uint32_t heaviest = 0;       // of the scene's indices the one that covers most, the lowest of equals
 };
 
-// `indices`: at least one, each of a Gaussian that activate() accepts; `pixel`: its side at their distance, scene units.
+// `indices`: at least one, each of a Gaussian that activate() accepts; `pixel`: its side at their distance, scene
+// units.
 Merged merge_gaussians(const Scene& scene, std::span<const uint32_t> indices, double pixel);
 
 // The same in at most `most` parts: halves along the axis on which their means spread most, and so on.

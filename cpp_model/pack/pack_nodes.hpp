@@ -30,8 +30,8 @@ GridBox make_grid(const Config& config, const SceneBox& box, int scene_exponent)
 Node make_chunk(const Config& config, std::span<const WorldPoint> means, std::span<GaussianRecord> records,
                 uint64_t scale_exp = 0);
 
-// Half the surface of a box as wide as a node's hull and `around` more along each axis, world units squared.
-double hull_area(const Node& node, double around);
+// Half the surface of a box as wide as what a node may draw and `around` more along each axis, world units squared.
+double hull_area(const Config& config, const Node& node, double around);
 
 // The box around the chunks of a group or the groups of a cell.
 Node make_parent(const Config& config, std::span<const Node> children);

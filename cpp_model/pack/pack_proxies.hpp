@@ -2,9 +2,9 @@
 // pack_proxies: the Gaussians that stand for those of a group, and when they do.
 //
 // Paper   None: level of detail.
-// Idea    Of each chunk at most ChunkProxies (pack_merge), in the order of the chunks, for pixels as large as the middle
-//         one of the group's Gaussians. Their error is the smallest pixel (pack_error) at which each Gaussian that is
-//         saved costs no more than kLoss.
+// Idea    Of each chunk at most ChunkProxies (pack_merge), in the order of the chunks, for pixels as large as the
+//         middle one of the group's Gaussians. Their error is the smallest pixel (pack_error) at which each Gaussian
+//         that is saved costs no more than kLoss.
 // Rule    A group of one Gaussian has no proxies that save anything: its error is the largest.
 #pragma once
 
@@ -27,8 +27,8 @@ struct Proxies {
 // How many a chunk of so many Gaussians has.
 size_t chunk_proxies(size_t gaussians);
 
-// Writes those of a group from `first` on; `chunks`: the scene's indices, chunk by chunk. The field `error` of its node,
-// of world units.
+// Writes those of a group from `first` on; `chunks`: the scene's indices, chunk by chunk. The field `error` of its
+// node, of world units.
 uint64_t make_proxies(const Config& config, const Scene& scene, std::span<const std::vector<uint32_t>> chunks,
                       int scene_exponent, size_t first, Proxies& proxies);
 

@@ -132,7 +132,7 @@ uint64_t scale_code(const Config& config, double world, uint64_t scale_exp, Pack
   if (!(world > 0)) return kNoScale;
   const double top = static_cast<double>(scale_exp) + kScaleHeadroom - kScaleBias,
                code = std::round(kScaleSteps * (top - std::log2(world)));
-  counts.saturated_scale += code < 0;
+  counts.saturated_scale += code < 0 || code > kNoScale - 1;
   const auto field = static_cast<uint64_t>(std::clamp(code, 0.0, kNoScale - 1.0));
   counts.flushed_scale += decode_scale(config, field, scale_exp) == 0;
   return field;

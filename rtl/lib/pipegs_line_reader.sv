@@ -9,8 +9,8 @@
 //         ItemsPerLine of the table. A job that names nothing, or what lies behind the table's end, is bad: the lines
 //         of those before it still come, its own are never asked for, and no job is taken any more.
 // Stream  job: first item, count, tag. mem: first line and number of lines of a request; rsp: the lines in the same
-//         order, always accepted. out: one beat per item, or per marker, with the job's tag, the last one marked. bad_o stays, bad_line_o is
-//         the line that the job named first.
+//         order, always accepted. out: one beat per item, or per marker, with the job's tag, the last one marked.
+//         bad_o stays, bad_line_o is the line that the job named first.
 // Pace    One item per cycle while the memory delivers; one request per cycle, one cycle between jobs.
 // Model   A queue of chunks in verif/pu/front/pu_fetch_test.cpp.
 

@@ -4,8 +4,8 @@
 // Paper   Eq. 2: C += c * alpha * T,  T *= 1 - alpha.
 // Idea    One product serves weight and update: w = T * alpha, T' = T - w, so T plus the sum of all weights stays 1.
 //         INRIA's stop rule: when T' would fall below 1/TCut (1e-4) the pixel is done and this Gaussian is not blended
-//         (EarlyStop 0: never; done says only that the pixel lies outside the image). With rest_i: of a pixel whose T is
-//         below it the next Gaussian takes all. That is known from T alone, beside the product.
+//         (EarlyStop 0: never; done says only that the pixel lies outside the image). With rest_i: of a pixel whose T
+//         is below it the next Gaussian takes all. That is known from T alone, beside the product.
 // Stream  cycle 0 (enable_1_i): alpha code, T and done. cycle 1 (enable_2_i): colour. cycle 2: accumulated colour in,
 //         new T, done and colour out. T u1.(TW-1), alpha u0.AlphaW, colour u2.(ColorW-2), accumulated u2.(RgbW-2).
 // Round   w and w * colour to nearest, ties up; the accumulated colour saturates at the top (wraps if Saturation is 0).

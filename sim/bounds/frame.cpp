@@ -14,6 +14,7 @@
 
 #include "cpp_model/dopu/dopu_origin.hpp"
 #include "cpp_model/float/parallel.hpp"
+#include "cpp_model/pu/front/pu_decode.hpp"
 #include "cpp_model/pu/rows/pu_rows.hpp"
 #include "cpp_model/ru/ru_resolve.hpp"
 
@@ -140,6 +141,11 @@ void Walk::collect(const Scene& scene, const Camera& camera, const SimulateOptio
   BudgetUnits units{.world = std::ldexp(1.0, packed.scene_exponent)};
   for (const Node& chunk : packed.own_chunks()) {
     units.offset = std::ldexp(units.world, static_cast<int>(chunk.offset_exp));
+    if (config_.coded()) {
+      units.offset = std::ldexp(units.offset, config_.pos_w - Config::offset_code_w());
+      const uint64_t least = decode_scale(config_, kNoScale - 1, chunk.scale_max >> config_.scale_m_w);
+      units.scale = units.world * scale_value(config_, least);
+    }
     units.view =
         std::ldexp(units.world, static_cast<int>(dopu_origin(config_, simulation_.input.frame, chunk, 0, 0).view_exp));
     for (uint64_t slot = chunk.first; slot < chunk.first + chunk.count; ++slot) {

@@ -48,8 +48,8 @@ class ExternalMemory {
 
   bool ready() const { return timing_->ready(); }  // may a request be accepted in this cycle
   // Accepted in this cycle: a write of one line, or a read of `lines` of them, which are answered one by one. `halves`:
-  // which 32 bytes a write changes, or a read of one line needs, the low ones in bit 0; the other ones of its answer are
-  // noise.
+  // which 32 bytes a write changes, or a read of one line needs, the low ones in bit 0; the other ones of its answer
+  // are noise.
   void request(bool write, uint64_t address, int tag, const uint32_t* data, int lines = 1, int halves = 3);
   const Answer* answer() const { return shown_ ? &*shown_ : nullptr; }  // the answer shown in this cycle, if any
   void step();                                                          // the next cycle begins

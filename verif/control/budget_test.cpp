@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
+#include <random>
 
 #include "cpp_model/config.hpp"
 #include "cpp_model/frame_setup.hpp"
@@ -33,7 +35,8 @@ struct Level {
   double rest, pixels;  // transmittance; size of proxies on the screen
 };
 
-Level level_of(const Config& config, const pipegs_budget& budget) {
+// What the next frame is queued with.
+Level next_level(const Config& config, pipegs_budget& budget) {
   pipegs_frame frame = {};
   pipegs_budget_set(&budget, &frame);
   return {std::ldexp(static_cast<double>(frame.raster_rest), -config.rest_w()),
@@ -63,7 +66,8 @@ pipegs_budget budget_of(const Config& machine, uint64_t cycles) {
 
 TEST(Budget, TheFirstFrameIsCoarse) {
   for (const Config& config : kMachines) {
-    const Level level = level_of(config, budget_of(config, kCycles));
+    pipegs_budget budget = budget_of(config, kCycles);
+    const Level level = next_level(config, budget);
     if (config.lod) { EXPECT_NEAR(level.pixels, PIPEGS_BUDGET_FIRST, 0.3); }
     if (config.early_stop) { EXPECT_GE(level.rest, 1.0 / 16); }
   }
@@ -85,7 +89,7 @@ TEST(Budget, ALevelGivesUpMoreThanTheOneBefore) {
     Level before = {0, 0};
     int rises = 0;
     for (budget.level = 0; budget.level <= budget.most; ++budget.level) {
-      const Level level = level_of(config, budget);
+      const Level level = next_level(config, budget);
       EXPECT_GE(level.rest, before.rest);
       EXPECT_GE(level.pixels, before.pixels);
       EXPECT_LE(level.rest, config.early_stop ? 0.25 : 0);
@@ -100,22 +104,28 @@ TEST(Budget, ALevelGivesUpMoreThanTheOneBefore) {
   }
 }
 
-// A walk of 120 frames whose scene becomes four times as heavy and light again, by a few percent a frame.
+// A walk of 120 frames whose scene becomes four times as heavy and light again, by a few percent a frame; each frame
+// queued when the one before is done, or while it runs.
 TEST(Budget, AWalkHoldsItsCycles) {
   for (const Config& config : kMachines) {
     for (const double slope : {0.3, 0.6, 1.0, 1.5}) {
-      pipegs_budget budget = budget_of(config, kCycles);
-      int over = 0;
-      for (int frame = 0; frame < 120; ++frame) {
-        const double heavy = std::exp2(1 - std::cos(2 * M_PI * frame / 120));
-        const Plant plant = config.lod ? Plant{heavy * 5e6, heavy * 1e5, slope}
-                                       : Plant{heavy * 2e6, 0, 0, 0.55};  // rest alone does not save more
-        const uint64_t cycles = plant.cycles(level_of(config, budget));
-        over += cycles > kCycles * 11 / 10;
-        if (frame > 20 && plant.whole > 1.2 * kCycles) { EXPECT_GT(cycles, kCycles * 6 / 10) << slope << " " << frame; }
-        pipegs_budget_took(&budget, cycles);
+      for (const size_t ahead : {0, 1}) {
+        pipegs_budget budget = budget_of(config, kCycles);
+        std::deque<uint64_t> flying;
+        int over = 0;
+        for (int frame = 0; frame < 120; ++frame) {
+          const double heavy = std::exp2(1 - std::cos(2 * M_PI * frame / 120));
+          const Plant plant = config.lod ? Plant{heavy * 5e6, heavy * 1e5, slope}
+                                         : Plant{heavy * 2e6, 0, 0, 0.55};  // rest alone does not save more
+          const uint64_t cycles = plant.cycles(next_level(config, budget));
+          over += cycles > kCycles * 11 / 10;
+          if (frame > 20 && plant.whole > 1.2 * kCycles)
+            EXPECT_GT(cycles, kCycles * 6 / 10) << slope << " " << ahead << " " << frame;
+          flying.push_back(cycles);
+          if (flying.size() > ahead) pipegs_budget_took(&budget, flying.front()), flying.pop_front();
+        }
+        EXPECT_LE(over, 1) << config_difference(config) << " " << slope << " " << ahead;
       }
-      EXPECT_LE(over, 1) << config_difference(config) << " " << slope;
     }
   }
 }
@@ -125,15 +135,41 @@ TEST(Budget, WhatFitsIsWholeAndWhatStandsStillStays) {
   for (const Config& config : kMachines) {
     pipegs_budget budget = budget_of(config, kCycles);
     for (int frame = 0; frame < 20; ++frame)
-      pipegs_budget_took(&budget, Plant{3e6, 1e5, 0.5}.cycles(level_of(config, budget)));
+      pipegs_budget_took(&budget, Plant{3e6, 1e5, 0.5}.cycles(next_level(config, budget)));
     EXPECT_EQ(budget.level, 0);
     int changes = 0;
     for (int frame = 0; frame < 100; ++frame) {
       const int32_t level = budget.level;
-      pipegs_budget_took(&budget, Plant{5e6, 1e5, 0.5}.cycles(level_of(config, budget)));
+      pipegs_budget_took(&budget, Plant{5e6, 1e5, 0.5}.cycles(next_level(config, budget)));
       if (frame > 50) changes += budget.level != level;
     }
     EXPECT_LE(changes, 1);
+  }
+}
+
+// Lenses beyond all reason give levels that the fields hold.
+TEST(Budget, AnyLensGivesALevel) {
+  std::mt19937_64 rng(1);
+  for (const Config& config : kMachines) {
+    const pipegs_configuration machine = driver_configuration(config);
+    for (int run = 0; run < 2000; ++run) {
+      pipegs_camera camera = {};
+      camera.focal[0] = {static_cast<int64_t>(rng() >> rng() % 64), static_cast<int32_t>(rng() >> (32 + rng() % 32))};
+      if (run % 3 == 0) camera.focal[0].exponent = -camera.focal[0].exponent;
+      if (run % 7 == 0) camera.focal[0].exponent = static_cast<int32_t>(rng());
+      pipegs_budget budget;
+      if (!pipegs_budget_begin(&machine, &camera, kCycles, &budget)) {
+        EXPECT_FALSE(config.early_stop) << "without proxies there is a rest";
+        continue;
+      }
+      for (int i = 0; i < 8; ++i) {
+        pipegs_frame frame = {};
+        pipegs_budget_set(&budget, &frame);
+        EXPECT_LT(frame.lod, uint64_t{1} << config.lod_w());
+        EXPECT_LT(frame.raster_rest, uint64_t{1} << config.rest_w());
+        pipegs_budget_took(&budget, i < 4 ? kCycles * 9 : 1);
+      }
+    }
   }
 }
 

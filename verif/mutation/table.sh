@@ -37,7 +37,7 @@ mutant pipegs_dopu "the end of a walk that is given up goes to the PUs" \
 mutant dopu_lod "the near plane's step does not count" "s/ - \\\$signed\(SumW'\(near_step_i\)\)//"
 mutant dopu_lod "an error of half the size" 's/<< Coarser/<< (Coarser - 2)/'
 mutant dopu_lod "a group at its limit keeps its Gaussians" 's/>= \$unsigned\(least\)/> $unsigned(least)/'
-mutant dopu_nearest "cells have proxies, too" "s/result_level == 2'd1 \? group_range/result_level != 2'd2 ? group_range/" \
+mutant dopu_rank "cells have proxies, too" "s/(ranked_q.level) == 2'd1/\1 != 2'd2/" \
        dopu_nearest_open
 mutant dopu_cells "an entry of 128 groups is empty" "s/item\[.*ChildrenW\] != '0/item.count != '0/" dopu_nearest_open
 mutant dopu_load "the last group alone counts" "s/sum_q (\+ SumW'\(group)/\1/"
@@ -253,7 +253,8 @@ mutant pu_color_basis "a result lands in an output that was not taken" \
 mutant pu_color_fetch "a line behind the table is asked for" 's/number < colors_i/number <= colors_i/' pu_color
 mutant pu_color_fetch "a job behind a bad one is taken" 's/ && !bad_q;/;/' pu_color
 mutant pu_color_fetch "a job is taken while a request is pending" 's/room && !mem_valid_q/room/' pu_color
-mutant pu_color_mantissas "coefficients masked at the wrong degree" "s/degree_i == 2'd1(\) coefs)/degree_i == 2'd2\1/" pu_color
+mutant pu_color_mantissas "coefficients masked at the wrong degree" \
+       "s/degree_i == 2'd1(\) coefs)/degree_i == 2'd2\1/" pu_color
 mutant pu_color_codes "band 3 has the exponent of band 2" 's/i < 8 \? 1 : 2/1/' pu_color_coded
 mutant pu_color_codes "codes are taken for mantissas" 's/ << shift_pair.of\[i\/3\]//' pu_color_coded
 mutant pu_color_codes "the eighths of the lower half only" 's/one \? quarter_i\[2\] : //' pu_color_coded
@@ -614,7 +615,8 @@ mutant pu_marks "a layer's end keeps the depth that it had" \
        "s/if \(splat_is_end\) splat_o/if (1'b0) splat_o/" machine_live
 mutant pu_late "regions that are done stay" 's/tiles_i\.mask & ~part_done/tiles_i.mask/' machine_live
 mutant pu_late "a Gaussian without a region asks for its colour" "s/( drop *= ).*;/\11'b0;/" machine_live
-mutant pu_front "asleep while Gaussians are in the cull" 's/(culls_o = )decode_busy \|\| cull_busy \|\| /\1/' machine_live
+mutant pu_front "asleep while Gaussians are in the cull" \
+       's/(culls_o = )decode_busy \|\| cull_busy \|\| /\1/' machine_live
 mutant pu_shape "asleep while Gaussians are in it" "s/(busy_o *= )\|busy/\11'b0/" machine_live
 mutant pu_back "asleep while splats are made" 's/(busy_o *= )window_busy \|\| /\1/' machine_live
 mutant pipegs_pu "a line from memory does not wake it" 's/^( +)geometry_rsp_valid_i \|\| /\1/' machine_live

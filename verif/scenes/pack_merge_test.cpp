@@ -159,14 +159,20 @@ TEST(PackError, SetsAreAlikeFromAPixelOnThatGrowsWithTheirDistance) {
 }
 
 TEST(PackError, ColourCountsAndWhatIsHiddenDoesNot) {
-  Scene front, both;
-  add(front, {0, 0, 0}, 1, 0.989, 1);
-  add(both, {0, 0, 0}, 1, 0.989, 1);
-  for (const double x : {-3.0, 3.0}) add(both, {x, 0, 0}, 0.001, 0.5, 1);
-  const std::vector<ActivatedGaussian> one = {activated(front.gaussians[0])};
-  const std::vector<glm::vec3> light(1, glm::vec3(1)), dark(1, glm::vec3(-1));
-  EXPECT_EQ(alike_pixel(one, light, one, dark, 0.05), kNeverAlike);
-  EXPECT_NE(alike_pixel(one, light, one, light, 0.05), kNeverAlike);
+  // A dark speck in the middle of a light ball, behind its front half in every view, and one beside it.
+  Scene scene;
+  for (const double x : {0.0, 0.01, 8.0}) add(scene, {x, x, x}, x == 0 ? 1 : 0.3, x == 0 ? 0.999 : 0.9, 1);
+  std::vector<ActivatedGaussian> all;
+  for (const Gaussian& gaussian : scene.gaussians) all.push_back(activated(gaussian));
+  const std::vector<ActivatedGaussian> one(all.begin(), all.begin() + 1), hidden(all.begin(), all.begin() + 2),
+      beside = {all[0], all[2]};
+  const glm::vec3 light(1), dark(-1);
+  EXPECT_EQ(alike_pixel(one, std::vector{light}, one, std::vector{dark}, 0.05), kNeverAlike);
+  EXPECT_NE(alike_pixel(one, std::vector{light}, one, std::vector{light}, 0.05), kNeverAlike);
+  const double unseen = alike_pixel(one, std::vector{light}, hidden, std::vector{light, dark}, 0.05),
+               seen = alike_pixel(one, std::vector{light}, beside, std::vector{light, dark}, 0.05);
+  EXPECT_NE(unseen, kNeverAlike);
+  EXPECT_TRUE(seen == kNeverAlike || seen > 2 * unseen) << seen << " " << unseen;
 }
 
 // A group has at most two proxies of each chunk, in the order of the chunks; a larger loss in the same place asks for

@@ -18,6 +18,7 @@
 #include "cpp_model/pack/pack_nodes.hpp"
 #include "cpp_model/pack/pack_order.hpp"
 #include "cpp_model/pack/pack_quantize.hpp"
+#include "scenes/input_error.hpp"
 #include "verif/dopu/dopu_world.hpp"
 
 namespace pipegs {
@@ -157,33 +158,49 @@ TEST(Pack, KeepsItsPromisesInEveryConfiguration) {
   }
 }
 
-TEST(Pack, ProxiesThatWouldWidenTheirGroupMuchAreNotUsed) {
-  std::mt19937_64 rng(1);
+// A machine with the exact order and these keys.
+Config machine_with(std::initializer_list<const char*> settings) {
   Config config;
-  for (const char* assignment : {"tight_boxes=1", "lod=1"}) config_set(config, assignment);
   config.late = 1;
   config.order = 2;
-  const Scene scene = random_scene(rng, 5000, 1);
-  const PackedScene packed = pack_scene(config, scene, 10);
-  check(config, scene, packed);
-  glm::vec3 low(INFINITY), high(-INFINITY);
-  for (const Gaussian& gaussian : scene.gaussians)
-    low = glm::min(low, gaussian.mean), high = glm::max(high, gaussian.mean);
-  // A tenth of the scene's diagonal: no less than what the packer takes, for which the bound holds all the more.
-  const double window = std::ldexp(glm::distance(low, high) / 10, -packed.scene_exponent);
-  size_t never = 0, widened = 0;
-  for (const Node& group : packed.groups) {
-    const auto first = packed.chunks.begin() + static_cast<std::ptrdiff_t>(group.first);
-    const Node own = make_parent(config, std::span(first, group.count));
-    if (group.error == dopu_lod_never(config)) {
-      EXPECT_EQ(hull_area(group, 0), hull_area(own, 0));
-      ++never;
+  for (const char* setting : settings) config_set(config, setting);
+  return config;
+}
+
+// Records of both sizes, with and without proxies.
+std::vector<Config> record_machines() {
+  return {Config{}, machine_with({"record=48"}), machine_with({"lod=1"}),
+          machine_with({"record=48", "lod=1", "tight_boxes=1"})};
+}
+
+TEST(Pack, ProxiesThatWouldWidenTheirGroupMuchAreNotUsed) {
+  for (const char* boxes : {"tight_boxes=0", "tight_boxes=1"}) {
+    SCOPED_TRACE(boxes);
+    std::mt19937_64 rng(1);
+    const Config config = machine_with({"lod=1", boxes});
+    const Scene scene = random_scene(rng, 5000, 1);
+    const PackedScene packed = pack_scene(config, scene, 10);
+    check(config, scene, packed);
+    glm::vec3 low(INFINITY), high(-INFINITY);
+    for (const Gaussian& gaussian : scene.gaussians)
+      low = glm::min(low, gaussian.mean), high = glm::max(high, gaussian.mean);
+    // A tenth of the scene's diagonal: no less than what the packer takes, for which the bound holds all the more.
+    const double window = std::ldexp(glm::distance(low, high) / 10, -packed.scene_exponent);
+    size_t never = 0, widened = 0;
+    for (const Node& group : packed.groups) {
+      const auto first = packed.chunks.begin() + static_cast<std::ptrdiff_t>(group.first);
+      const Node own = make_parent(config, std::span(first, group.count));
+      const double area = hull_area(config, group, 0), own_area = hull_area(config, own, 0);
+      if (group.error == dopu_lod_never(config)) {
+        EXPECT_EQ(area, own_area);
+        ++never;
+      }
+      widened += area > own_area;
+      EXPECT_LE(hull_area(config, group, window), 1.01 * hull_area(config, own, window));
     }
-    widened += hull_area(group, 0) > hull_area(own, 0);
-    EXPECT_LE(hull_area(group, window), 1.01 * hull_area(own, window));
+    EXPECT_GT(never, 0u);
+    if (config.tight_boxes) { EXPECT_GT(widened, 0u); }
   }
-  EXPECT_GT(never, 0u);
-  EXPECT_GT(widened, 0u);
 }
 
 TEST(Pack, LeavesOutWhatCannotBeDrawnAndCountsIt) {
@@ -199,25 +216,62 @@ TEST(Pack, LeavesOutWhatCannotBeDrawnAndCountsIt) {
   scene.gaussians[6].opacity_logit = std::numeric_limits<float>::infinity();          // opaque
   scene.gaussians[7].sh_dc = glm::vec3(1e9f);                                         // clipped
   scene.gaussians[8].log_scale.x = 80;                                                // clipped
-  const Config config;
-  const PackedScene packed = pack_scene(config, scene, 1);
-  EXPECT_EQ(packed.counts.non_finite, 2u);
-  EXPECT_EQ(packed.counts.zero_quaternion, 1u);
-  EXPECT_EQ(packed.counts.transparent, 1u);
-  EXPECT_EQ(packed.counts.out_of_range, 1u);
-  EXPECT_EQ(packed.counts.saturated_base, 3u);
-  EXPECT_EQ(packed.counts.saturated_scale, 1u);
-  check(config, scene, packed);
+  for (const Config& config : record_machines()) {
+    SCOPED_TRACE(config_difference(config));
+    const PackedScene packed = pack_scene(config, scene, 1);
+    EXPECT_EQ(packed.counts.non_finite, 2u);
+    EXPECT_EQ(packed.counts.zero_quaternion, 1u);
+    EXPECT_EQ(packed.counts.transparent, 1u);
+    EXPECT_EQ(packed.counts.out_of_range, 1u);
+    EXPECT_GE(packed.counts.saturated_base, 3u);
+    EXPECT_GE(packed.counts.saturated_scale, 1u);
+    if (config == Config{}) {
+      EXPECT_EQ(packed.counts.saturated_base, 3u);
+      EXPECT_EQ(packed.counts.saturated_scale, 1u);
+    }
+    check(config, scene, packed);
+  }
 }
 
-TEST(Pack, AnEmptySceneAndOneWhereAllLieInOnePoint) {
-  const Config config;
-  Scene scene;
-  EXPECT_EQ(pack_scene(config, scene, 0).chunks.size(), 0u);
-  std::mt19937_64 rng(3);
-  scene = random_scene(rng, 1000);
-  for (Gaussian& g : scene.gaussians) g.mean = glm::vec3(1, 2, 3);
-  check(config, scene, pack_scene(config, scene, 0));
+// The codes of a chunk's scales reach 16 octaves down from the largest: what is below becomes larger, and is counted.
+TEST(Pack, ScalesFarBelowTheLargestOfTheirChunkAreCounted) {
+  std::mt19937_64 rng(5);
+  Scene scene = random_scene(rng, 8, 0);
+  for (Gaussian& gaussian : scene.gaussians) gaussian.log_scale = glm::vec3(-8), gaussian.opacity_logit = 2;
+  scene.gaussians[3].log_scale.x = 3.5f;  // 16.6 octaves
+  const Config config = machine_with({"record=48", "grid=1"});
+  EXPECT_EQ(pack_scene(config, scene, 1).counts.saturated_scale, 3u * 7 + 2);
+  scene.gaussians[3].log_scale.x = 0;
+  EXPECT_EQ(pack_scene(config, scene, 1).counts.saturated_scale, 0u);
+}
+
+TEST(Pack, SlotsBeyondTheIndexOfACodeAreRefused) {
+  std::mt19937_64 rng(6);
+  Scene scene = random_scene(rng, 0, 0);
+  const Scene few = random_scene(rng, 100, 0);
+  for (int i = 0; i < 60000; ++i) scene.gaussians.push_back(few.gaussians[static_cast<size_t>(i % 100)]);
+  for (const char* lod : {"lod=0", "lod=1"}) {
+    const Config config = machine_with({"record=48", "index_w=16", lod});
+    if (config.lod) {
+      EXPECT_THROW(pack_scene(config, scene, 1), InputError) << "proxies have slots, too";
+    } else {
+      EXPECT_LE(pack_scene(config, scene, 1).gaussians.size(), 65536u);
+    }
+  }
+}
+
+TEST(Pack, AnEmptySceneOneOfOneAndOneWhereAllLieInOnePoint) {
+  for (const Config& config : record_machines()) {
+    SCOPED_TRACE(config_difference(config));
+    Scene scene;
+    EXPECT_EQ(pack_scene(config, scene, 0).chunks.size(), 0u);
+    std::mt19937_64 rng(3);
+    for (const size_t count : {1, 1000}) {
+      scene = random_scene(rng, count);
+      for (Gaussian& g : scene.gaussians) g.mean = glm::vec3(1, 2, 3);
+      check(config, scene, pack_scene(config, scene, 0));
+    }
+  }
 }
 
 // The order by its definition: every cut of every part tried, without threads and without copies.

@@ -6,7 +6,7 @@
 // Idea    A band's code is the upper part of a mantissa that lies `drop` bits below the exponent of all:
 //           mantissa = code * 2^(ShMW - bits - drop)
 //         so the sum is that of whole mantissas, and a band of small coefficients keeps its precision.
-// RTL     rtl/pu/color/pu_color_sum.sv
+// RTL     rtl/pu/color/pu_color_codes.sv
 #pragma once
 
 #include <array>

@@ -6,11 +6,11 @@
 //         rotation  three components a, b, c of the quaternion, unit 2^-8 / sqrt(2), so that the fourth, the largest,
 //                   is sqrt(1 - (a^2 + b^2 + c^2) 2^-17), exact up to the root; -a times sqrt(1/2) for the others
 //         scale     2^(scale_exp + 3 - code / 16), scale_exp the exponent of the chunk's scale_max; of the last code 0.
-//                   So 8 times scale_max is the most: what reaches less because it is transparent may be larger
+//                   So the most is 4 to 8 times scale_max: what reaches less because it is transparent may be larger
 //         opacity   -log2(code / 255) from a table; code 0 is as transparent as the field can say
 //         base      (code + 64) / 128: band 0 plus one half
 //         index     the slot: Gaussians of one depth are ordered by it
-// Error   quaternion 0.0048 in all (2^-9.5 each of three components); scale 2.2 %
+// Error   quaternion kTurnCodeError in all (2^-9.5 each of three components); scale 2.2 %
 // RTL     rtl/pu/front/pu_decode.sv
 #pragma once
 
@@ -27,6 +27,7 @@ inline constexpr int kScaleSteps = 16;                              // of an oct
 inline constexpr int kScaleHeadroom = 3;                            // octaves above scale_exp
 inline constexpr int kNoScale = (1 << Config::scale_code_w()) - 1;  // code of scale zero
 inline constexpr int kMostOpacity = (1 << Config::opacity_code_w()) - 1;
+inline constexpr double kTurnCodeError = 0.0049;
 inline constexpr int64_t kHalfRoot = 46341;  // sqrt(1/2), u0.16
 
 // Mantissa of 2^(step / 16), ScaleMW bits.

@@ -163,18 +163,13 @@ module dopu_nearest #(
     end
   end
 
-  typedef struct packed {
-    logic                         pass, last;
-    logic [1:0]                   level;
-    logic [BucketW-1:0]           bucket;
-    logic [pipegs_pkg::LoadW-1:0] farthest;
-    logic [PlaceW-1:0]            place;
-    logic [RangeW-1:0]            range;  // of a parent the children that are opened
-  } result_t;
-  result_t ranked, result;  // the range as it is packed, the one that is opened
-  logic    ranked_valid, result_valid, result_kept;
+  logic               result_valid, result_pass, result_last, result_kept;
+  logic [1:0]         result_level;
+  logic [BucketW-1:0] result_bucket;
+  logic [PlaceW-1:0]  result_place;
+  logic [RangeW-1:0]  result_range;  // of a parent the children that are opened
 
-  dopu_rank #(.TagW(3)) u_rank (
+  dopu_rank u_rank (
     .clk_i,
     .rst_ni,
     .awake_i,
@@ -189,47 +184,23 @@ module dopu_nearest #(
     .parent_i(child_parent[level]),
     .tight_i(tight[level]),
     .scale_i(scale[level]),
-    .tag_i({child_last[level], level}),
-    .result_valid_o(ranked_valid),
-    .result_pass_o(ranked.pass),
-    .result_tag_o({ranked.last, ranked.level}),
-    .result_bucket_o(ranked.bucket),
-    .result_far_o(ranked.farthest),
-    .result_place_o(ranked.place),
-    .result_range_o(ranked.range)
+    .last_i(child_last[level]),
+    .level_i(level),
+    .lod_i,
+    .result_valid_o(result_valid),
+    .result_pass_o(result_pass),
+    .result_last_o(result_last),
+    .result_level_o(result_level),
+    .result_bucket_o(result_bucket),
+    .result_far_o(group_far_o),
+    .result_place_o(result_place),
+    .result_range_o(result_range)
   );
-  if (pipegs_pkg::Lod == 1) begin : gen_lod  // a cycle later: the bucket comes late
-    result_t           ranked_q;
-    logic [RangeW-1:0] group_range;
-
-    always_ff @(posedge clk_i or negedge rst_ni) begin
-      if (!rst_ni) result_valid <= 1'b0;
-      else result_valid <= ranked_valid;
-    end
-    always_ff @(posedge clk_i) ranked_q <= ranked;
-
-    dopu_lod u_lod (
-      .lod_i,
-      .near_step_i(near_step),
-      .range_i(ranked_q.range),
-      .bucket_i(ranked_q.bucket),
-      .range_o(group_range)
-    );
-    always_comb begin
-      result = ranked_q;
-      if (ranked_q.level == 2'd1) result.range = group_range;
-    end
-  end else begin : gen_no_lod
-    assign {result_valid, result} = {ranked_valid, ranked};
-    logic unused_lod;
-    assign unused_lod = ^lod_i;
-  end
-  assign group_valid_o  = result_valid && result.pass && result.level == 2'd1 && judges;
-  assign group_chunks_o = result.range[SlotW +: CountW];
-  assign group_near_o   = result.bucket[BucketW-1 -: pipegs_pkg::LoadW];
-  assign group_far_o    = result.farthest;
+  assign group_valid_o  = result_valid && result_pass && result_level == 2'd1 && judges;
+  assign group_chunks_o = result_range[SlotW +: CountW];
+  assign group_near_o   = result_bucket[BucketW-1 -: pipegs_pkg::LoadW];
   assign counted_o      = through[1] && judges;
-  assign result_kept    = result.pass || result.last;
+  assign result_kept    = result_pass || result_last;
 
   // --- results: one queue per level, so that no level waits for one above it ----------------------------------------
   logic [Levels-1:0]  held_valid, held_pass, held_last, live, queue_ready, push;
@@ -243,13 +214,13 @@ module dopu_nearest #(
       logic [BucketW-1:0]   bucket;
       logic [ReservedW-1:0] count;
 
-      assign push[l]   = result_valid && result.level == 2'(l) && result_kept;
-      assign missed[l] = result_valid && result.level == 2'(l) && !result_kept;
+      assign push[l]   = result_valid && result_level == 2'(l) && result_kept;
+      assign missed[l] = result_valid && result_level == 2'(l) && !result_kept;
       if (l == 2) begin : gen_chunk
-        assign result_data = {result.range[ChunkRangeW-1:0], result.place};
+        assign result_data = {result_range[ChunkRangeW-1:0], result_place};
         assign held[l]     = held_data;
       end else begin : gen_parent
-        assign result_data = result.range;
+        assign result_data = result_range;
         assign held[l]     = {held_data, {(DataW - RangeW){1'b0}}};
       end
 
@@ -258,7 +229,7 @@ module dopu_nearest #(
         .rst_ni,
         .in_valid_i(push[l]),
         .in_ready_o(queue_ready[l]),
-        .in_i({result.last, result.pass, result.bucket, result_data}),
+        .in_i({result_last, result_pass, result_bucket, result_data}),
         .out_valid_o(held_valid[l]),
         .out_ready_i(retired[l]),
         .out_o({held_last[l], held_pass[l], bucket, held_data}),
@@ -272,11 +243,7 @@ module dopu_nearest #(
         else reserved_q[l] <= reserved_q[l] +
                               ReservedW'(enter[l]) - ReservedW'(missed[l]) - ReservedW'(held_valid[l] && retired[l]);
       end
-      logic unused_bits;
-      assign unused_bits = &{1'b0, count, held_last[l]};
-`ifndef SYNTHESIS
-      always_ff @(posedge clk_i) if (rst_ni) assert (!push[l] || queue_ready[l]);
-`endif
+      wire unused_bits = &{1'b0, count, held_last[l]};
     end
   endgenerate
 
@@ -352,7 +319,6 @@ module dopu_nearest #(
 
   // --- opening: the nearest cell, the nearest group; ahead while there is room, and always before the chunks behind --
   logic few, cell_first, group_first;
-
   always_comb begin
     for (int unsigned l = 0; l < Levels; l += 1) begin
       some[l]  = first_valid[{2'(l), set_q[l == 0 ? 1 : 2]}];
@@ -367,7 +333,6 @@ module dopu_nearest #(
   assign pop_open[1] = some[1] && (level_done[2] || (!held_back && open_ready[1] && (few || group_first)));
   assign pop_valid   = send_pop || pop_open != '0;
   assign pop_list    = send_pop ? {2'd2, send_set} : pop_open[1] ? {2'd1, set_q[2]} : {2'd0, set_q[1]};
-
   typedef struct packed {  // of both readers
     logic [1:0][pipegs_pkg::AddressW-1:0] address, bad;
     logic [1:0][pipegs_pkg::BurstW-1:0]   lines;
@@ -408,9 +373,6 @@ module dopu_nearest #(
         .bad_line_o(ports.bad[l]),
         .waiting_o(reading[l])
       );
-`ifndef SYNTHESIS
-      always_ff @(posedge clk_i) if (rst_ni) assert (!open_valid[l] || open_ready[l]);
-`endif
     end
   endgenerate
 
@@ -460,5 +422,9 @@ module dopu_nearest #(
   assign testing_o = want != '0 || drop != '0 || cell_ready_o || !queue_idle || retired != '0 || pop_valid ||
                      through != '0 || window_end;
   assign waiting_o = reading != '0;
+
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i) if (rst_ni) assert ((push & ~queue_ready) == '0 && (open_valid & ~open_ready) == '0);
+`endif
 
 endmodule

@@ -54,7 +54,8 @@ module su_bitonic (
 
   assign in_ready_o  = !sorting_q && !loaded_q && (fill_q >= live_q || fill_q < sent_q);
   assign out_valid_o = !sorting_q && sent_q < live_q;
-  logic [DataW-1:0] head;  // chosen place by place: as an index it is a shifter of all bits where ItemW is no power of 2
+  // Chosen place by place: as an index it is a shifter of all bits where ItemW is no power of 2.
+  logic [DataW-1:0] head;
   always_comb begin
     head = '0;
     for (int unsigned i = 0; i < Channels; i += 1) begin

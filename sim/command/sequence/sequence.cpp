@@ -74,7 +74,7 @@ class Levels {
       throw ConfigError("--budget: found a machine that can give up nothing, expected early_stop=1 or lod=1");
   }
   bool budget() const { return budget_.has_value(); }
-  void set(Frame& frame) const {
+  void set(Frame& frame) {
     if (!budget_) return;
     pipegs_frame fields = {};
     pipegs_budget_set(&*budget_, &fields);
@@ -211,7 +211,7 @@ class Sequence {
     before_ = std::move(now);
   }
 
-  const Frame& set_up(FrameRow& row, const Levels& levels, Simulation& simulation) const {
+  const Frame& set_up(FrameRow& row, Levels& levels, Simulation& simulation) const {
     simulate_frame(packed_, row.camera, options_, simulation);
     Frame& frame = simulation.input.frame;
     levels.set(frame);

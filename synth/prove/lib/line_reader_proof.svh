@@ -20,7 +20,8 @@ proof_hold #(.DataW(pipegs_pkg::AddressW + BurstW)) u_hold_mem (
   .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i({mem_address_o, mem_lines_o})
 );
 proof_hold #(.DataW(2 + IndexW + TagW)) u_hold_out (
-  .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i), .beat_i({out_read_o, out_index_o, out_last_o, out_tag_o})
+  .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i),
+  .beat_i({out_read_o, out_index_o, out_last_o, out_tag_o})
 );
 proof_hold #(.DataW(ItemW)) u_hold_item (
   .clk_i, .rst_ni, .valid_i(out_valid_o && out_read_o), .ready_i(out_ready_i), .beat_i(out_item_o)

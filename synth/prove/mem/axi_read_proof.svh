@@ -7,8 +7,8 @@
 //         of it comes in the cycle in which it begins. What is waited for is a read on AR or one that is out, and the
 //         line that is told is that of the read that AR shows, else of one taken there, whose ID is not answered since.
 // Assumes A subordinate that keeps its rules; a base that is a multiple of 4096 and stays; reads of 1 to 8 lines in one
-//         aligned group, or of half a line if Coded; one is accepted only when there is room, and shown at the input once, now or later; the epoch
-//         turns only when no read of the one that begins is out.
+//         aligned group, or of half a line if Coded; one is accepted only when there is room, and shown at the input
+//         once, now or later; the epoch turns only when no read of the one that begins is out.
 // Invariant  A read of an epoch is behind its fence, on AR, or with the subordinate.
 
 localparam int unsigned ProofW = $clog2(Reads + 1) + 1;

@@ -112,6 +112,9 @@ TEST(PuDecode, WhatThePackerCodesComesBackWithinItsBounds) {
   for (int run = 0; run < 20000; ++run) {
     ActivatedGaussian gaussian;
     glm::dvec4 q(draw_normal(rng), draw_normal(rng), draw_normal(rng), draw_normal(rng));
+    if (run % 5 == 0) {  // all components alike: what rounding adds to three makes the largest less than one half
+      for (int i = 0; i < 4; ++i) q[i] = (rng() % 2 == 0 ? 0.5 : -0.5) + 0.003 * q[i];
+    }
     if (run % 7 == 0) q = glm::dvec4(run % 4 == 0, run % 4 == 1, run % 4 == 2, run % 4 == 3);
     gaussian.rotation = q / std::sqrt(glm::dot(q, q));
     const double size = std::exp2(draw_uniform(rng, 8, 40));
@@ -158,10 +161,10 @@ TEST(PuDecode, WhatIsLargerThanTheChunkSaysIsCutAndCounted) {
   PackCounts counts;
   const GaussianRecord found =
       pu_decode(config, encode(config, scene, gaussian, 0, 0, scale_exp, counts), scale_exp, 0);
-  EXPECT_EQ(counts.saturated_scale, 1u);
+  EXPECT_EQ(counts.saturated_scale, 2u) << "one cut, one raised to the smallest there is";
   EXPECT_EQ(scale_value(config, found.scale_0), std::ldexp(1, 23));
   EXPECT_EQ(found.scale_1, 0u) << "none stays none";
-  EXPECT_GT(found.scale_2, 0u) << "the smallest there is";
+  EXPECT_GT(found.scale_2, 0u);
 }
 
 }  // namespace
