@@ -33,8 +33,9 @@ STEPPED = ("own", "statue")
 BUSES = (0, 256, 128)  # bits of the bus to memory beside the 512 of the default; 0: the core's own port
 FRAMES = 30  # of a walk
 TOGETHER = 6  # points with less of several things at once
+FRONTS = ("own", "terrace", "showroom")  # a small scene, a middle one, a large one
 KNOBS = ("coeff_f", "mantissa_w", "exp_linear", "alpha_w", "t_w", "color_w", "rgb_w", "alpha_cut", "t_cut", "depth_w",
-         "pos_w", "quat_w", "base_w", "record")
+         "pos_w", "quat_w", "base_w", "record", "codes", "proxies")
 STORES = {  # of the design point dop: its alpha stores
     "lines4096": "--set alpha_lines=4096",
     "paper": "--set alpha_lines=840 --set records=512",  # all memories together as large as the paper's 428 KB
@@ -123,7 +124,7 @@ TABLE = [
     Measurement("accuracy/leave_one_out", "build/verif/silicon/silicon_test '--gtest_filter=*LeaveOneOut*'",
                 ("area",), targets=("silicon_test",), read=leave_one_out),
     *[Measurement(f"tradeoff/{scene}", f"build/pipegs study tradeoff {{scene}} --together {TOGETHER} --json", PRICED,
-                  scene, points=("fast",), chart=f"tradeoff/{scene}.svg") for scene in CHARTED],
+                  scene, points=("fast",)) for scene in FRONTS],
     *[Measurement(f"rivals/{scene}", "build/pipegs study rivals {scene} --json", PRICED, scene,
                   points=("dop", "fast"), chart="rivals/terrace.svg" if scene == "terrace" else "")
       for scene in CHARTED],

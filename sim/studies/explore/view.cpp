@@ -135,7 +135,10 @@ void View::measure_picture(const Config& config, const Less& less, Figures& resu
   Image golden = crop_window(simulation.golden.image, asked);
   if (golden.width != exact.width || golden.height != exact.height)
     golden = resampled(golden, exact.width, exact.height);
-  if (measured_ == Measured::kErrors) {
+  if (measured_ == Measured::kErrors && less.lod > 0) {
+    result.numeric = errors(golden, exact);
+    result.order = errors(exact, exact);
+  } else if (measured_ == Measured::kErrors) {
     const auto order = ordered(simulation.golden.rank);
     result.numeric = errors(golden, order->truth);
     result.order = order->error;

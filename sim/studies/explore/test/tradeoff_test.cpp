@@ -32,8 +32,8 @@ TEST(Tradeoff, PointsAreLegalOnEveryDesignPointForEverySceneAndDifferFromEachOth
       KnobValue all;  // of them at once, too
       for (const Point& point : points) {
         const Less& less = point.value.less;
-        const std::string what =
-            config_difference(point.config) + fmt::format(" {} {} {} {}", less.scale, less.without, less.rest, less.lod);
+        const std::string what = config_difference(point.config) +
+                                 fmt::format(" {} {} {} {}", less.scale, less.without, less.rest, less.lod);
         EXPECT_TRUE(seen.insert(what).second) << point.knob << " " << point.value.label << " changes nothing";
         all.settings.insert(all.settings.end(), point.value.settings.begin(), point.value.settings.end());
       }
@@ -147,6 +147,41 @@ TEST(Tradeoff, ADecibelCostsWhatItsStepCosts) {
   EXPECT_TRUE(price({}).empty());
   points[0].figures.total.psnr = std::numeric_limits<double>::infinity();
   EXPECT_TRUE(price(find_tradeoff_front(points)).empty()) << "of an exact picture a decibel has no price";
+}
+
+// What the models do not know is empty, and null; "~" stands before what they only guess.
+TEST(Tradeoff, EachPointHasTheAreaAndTheEnergyThatAreKnown) {
+  const Scene scene = random_scene(1, 3, 0);
+  const Camera camera = test_camera(64, 48);
+  const std::vector<Camera> cameras = {camera};
+  std::vector<Point> points = six();
+  const FrameModel model = read_frame_model();
+  const Config fast = find_design_point("fast").config;
+  points[0].config = points[1].config = fast;
+  points[1].config.lod = 1;
+  points[2].config = with_value(fast, {.label = "", .settings = layers_of_grid(4)});
+  for (Point& point : points) point.silicon = model.cost(point.config, point.figures.cycles, 1000000);
+  points[1].silicon->extrapolated_area = points[1].silicon->extrapolated_energy = true;
+  const Answer answer = tradeoff_answer(points, View(scene, camera, cameras, {}, Measured::kPicture), 1);
+  const nlohmann::ordered_json &json = answer.json["points"], &known = json[0]["silicon"];
+  EXPECT_DOUBLE_EQ(known["mm2"]["mid"].get<double>(), points[0].mm2());
+  EXPECT_DOUBLE_EQ(known["chip_mj"]["mid"].get<double>() + known["dram_mj"]["mid"].get<double>(),
+                   1e3 * points[0].joules());
+  EXPECT_TRUE(json[1]["silicon"]["extrapolated_area"].get<bool>());
+  ASSERT_FALSE(points[2].silicon) << "an area of layers with living quads is known now: take another machine";
+  EXPECT_TRUE(json[2]["silicon"].is_null());
+
+  const Table& table = answer.tables.at(0);
+  const auto cell = [&](size_t row, const std::string& key) {
+    const auto column = std::ranges::find(table.columns, key, &TableColumn::key);
+    return cell_text(table.rows.at(row).at(static_cast<size_t>(column - table.columns.begin())), *column);
+  };
+  EXPECT_EQ(cell(0, "uj"), fmt::format("{:.0f}", 1e6 * points[0].joules()));
+  EXPECT_EQ(cell(0, "mm2"), fmt::format("{:.3f}", points[0].mm2()));
+  EXPECT_EQ(cell(1, "uj"), fmt::format("~{:.0f}", 1e6 * points[1].joules()));
+  EXPECT_EQ(cell(1, "mm2"), fmt::format("~{:.3f}", points[1].mm2()));
+  EXPECT_EQ(cell(2, "uj") + cell(2, "mm2"), "");
+  EXPECT_NE(tables_text(answer.tables).find("mm2, uJ: 28 nm"), std::string::npos);
 }
 
 TEST(Tradeoff, TextJsonAndChartTellTheSameTime) {
