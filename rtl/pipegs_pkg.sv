@@ -583,9 +583,7 @@ package pipegs_pkg;
   localparam int unsigned OpenBits = 101;
 
   typedef struct packed {
-    // u0.(TW-1): of a pixel with less than this left the next Gaussian takes all, and it stops; 0: it stops at 1/TCut,
-    // and who would leave less is not blended
-    logic [RestW-1:0] rest;
+    logic [RestW-1:0] rest;  // u0.(TW-1): with less left a pixel's next Gaussian takes all; 0: it stops at 1/TCut
     windows_t windows;
     logic [SizeW-1:0] height;  // pixels
     logic [SizeW-1:0] width;  // pixels

@@ -435,10 +435,8 @@ struct pipegs_frame {
   uint64_t raster_windows_first_y; /* row of the first */
   uint64_t raster_windows_last_x; /* column of the last */
   uint64_t raster_windows_last_y; /* row of the last */
-  /* u0.(TW-1): of a pixel with less than this left the next Gaussian takes all, and it stops; 0: it stops at 1/TCut, and who would leave less is not blended */
-  uint64_t raster_rest;
-  /* 0: no proxies; else those of a group whose error lies so many steps of depth below its bucket's edge: log2(focal / lod_pixels) */
-  uint64_t lod;
+  uint64_t raster_rest; /* u0.(TW-1): with less left a pixel's next Gaussian takes all; 0: it stops at 1/TCut */
+  uint64_t lod; /* level of detail: log2(focal / lod_pixels) in steps of depth; 0: no proxies */
   uint64_t walk_most; /* Gaussians at one depth from which on a window is walked part by part; 0: never is */
 };
 

@@ -13,11 +13,11 @@ namespace pipegs {
 namespace {
 
 constexpr double kShBand0 = 0.28209479177387814;
-constexpr double kReach = 3.33;  // standard deviations at which an opaque Gaussian's alpha is 1/255
-constexpr int kFinest = 128;     // pixels along the widest extent
-constexpr int kCoarsest = 8;     // widest extents in a pixel
+constexpr double kReach = 3.33;    // standard deviations at which an opaque Gaussian's alpha is 1/255
+constexpr int kFinest = 128;       // pixels along the widest extent
+constexpr int kCoarsest = 8;       // widest extents in a pixel
 constexpr double kPoint = 1e-100;  // scene units; what is no wider is one
-constexpr int kSteps = 2;        // halvings of an octave, to find where the loss passes the limit
+constexpr int kSteps = 2;          // halvings of an octave, to find where the loss passes the limit
 
 // A Gaussian seen along an axis; without low-pass filter.
 struct Flat {

@@ -143,8 +143,8 @@ double hull_area(const Config& config, const Node& node, double around) {
   const double reach = std::sqrt(2 * std::log(config.alpha_cut)) * scale_value(config, node.scale_max);
   const auto side = [&](uint64_t half, uint64_t down, uint64_t up) {
     const double unit = std::ldexp(2.0, static_cast<int>(node.half_exp));
-    return around + (config.tight_boxes ? unit * static_cast<double>(down + up)
-                                        : unit * static_cast<double>(half) + 2 * reach);
+    return around +
+           (config.tight_boxes ? unit * static_cast<double>(down + up) : unit * static_cast<double>(half) + 2 * reach);
   };
   const double x = side(node.half_x, node.down_x, node.up_x), y = side(node.half_y, node.down_y, node.up_y),
                z = side(node.half_z, node.down_z, node.up_z);

@@ -248,7 +248,8 @@ TEST(Pack, ScalesFarBelowTheLargestOfTheirChunkAreCounted) {
 TEST(Pack, SlotsBeyondTheIndexOfACodeAreRefused) {
   std::mt19937_64 rng(6);
   Scene scene = random_scene(rng, 0, 0);
-  const Scene few = random_scene(rng, 100, 0);
+  Scene few = random_scene(rng, 100, 0);
+  for (Gaussian& gaussian : few.gaussians) gaussian.opacity_logit = 2;
   for (int i = 0; i < 60000; ++i) scene.gaussians.push_back(few.gaussians[static_cast<size_t>(i % 100)]);
   for (const char* lod : {"lod=0", "lod=1"}) {
     const Config config = machine_with({"record=48", "index_w=16", lod});
