@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "cpp_model/dopu/nearest/dopu_lod.hpp"
 #include "cpp_model/driver/pipegs_budget.h"
@@ -108,10 +109,11 @@ class Sequence {
     const MeasurementStore store(keep, scene_, table_.rows[0].camera, options_,
                                  {{"sequence", packed_.scene_exponent}, {"background", picture_.background}});
     Progress progress("frames");
+    Frame last;  // of the frame before
     for (size_t i = 0; i < table_.rows.size(); ++i) {
       FrameRow& row = table_.rows[i];
       Simulation simulation;
-      const Frame& frame = set_up(row, levels, simulation);
+      const Frame frame = set_up(row, levels, simulation), before = std::exchange(last, frame);
       const MeasurementStore mine = store.of(row.camera).with({{"rest", frame.raster.rest}, {"lod", frame.lod}});
       const auto kept = mine.load(options_.config, read_kept);
       if (kept && (kept->truth || !truth_) && files_.take(kept->files)) {
@@ -130,6 +132,7 @@ class Sequence {
         progress.update((static_cast<double>(i) + share) / static_cast<double>(table_.rows.size()),
                         fmt::format("{} of {}", i + 1, table_.rows.size()));
       };
+      if (i > 0 && before_.width == 0) draw_again(table_.rows[i - 1].camera, before);
       simulate_golden(options_, simulation, {.progress = [&](double share) { at(0.4 * share); }});
       write(simulation, row);
       at(0.4);
@@ -211,7 +214,16 @@ class Sequence {
     before_ = std::move(now);
   }
 
-  const Frame& set_up(FrameRow& row, Levels& levels, Simulation& simulation) const {
+  // The picture of a frame that was kept, for the one behind it.
+  void draw_again(const Camera& camera, const Frame& frame) {
+    Simulation simulation;
+    simulate_frame(packed_, camera, options_, simulation);
+    simulation.input.frame = frame;
+    simulate_golden(options_, simulation, {});
+    before_ = picture_of(simulation, options_);
+  }
+
+  Frame set_up(FrameRow& row, Levels& levels, Simulation& simulation) const {
     simulate_frame(packed_, row.camera, options_, simulation);
     Frame& frame = simulation.input.frame;
     levels.set(frame);
