@@ -139,6 +139,14 @@ TEST_F(SmallView, OfProxiesAllErrorIsNumeric) {
   EXPECT_DOUBLE_EQ(a.numeric.psnr, a.total.psnr);
   EXPECT_TRUE(std::isinf(a.order.psnr));
   EXPECT_TRUE(reaches(a, a.numeric.psnr));
+  SimulateOptions options = options_;
+  options.config = config;
+  options.lod_pixels = 1000;
+  Simulation simulation;
+  simulate_golden(scene, camera_, options, simulation);
+  simulate_truth(scene, camera_, options, simulation);
+  EXPECT_DOUBLE_EQ(a.numeric.psnr, simulation.psnr_numeric);
+  EXPECT_TRUE(std::isinf(simulation.psnr_order));
 }
 
 TEST_F(SmallView, TheTruthKeepsItsRulesWhateverTheMachineDoes) {
