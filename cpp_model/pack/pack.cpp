@@ -28,11 +28,10 @@ namespace {
 constexpr double kOutlier = 1024;  // a mean this many scene radii away is left out: it would eat everybody's bits
 constexpr double kWindowAngle =
     0.2;  // side of a window as the packing order sees it, of the scene's radius; docs/units/dopu.md
-constexpr double kProxyGrowth =
-    1.01;                         // most by which proxies may add to the windows that open a group; docs/units/dopu.md
-constexpr size_t kBlock = 16384;  // Gaussians of one piece of parallel work
-constexpr size_t kChunkBlock = 1024;  // chunks of one
-constexpr size_t kLargeCell = 65536;  // Gaussians of a cell that several threads share
+constexpr double kProxyGrowth = 1.01;  // of the windows that open a group, for its proxies; docs/units/dopu.md
+constexpr size_t kBlock = 16384;       // Gaussians of one piece of parallel work
+constexpr size_t kChunkBlock = 1024;   // chunks of one
+constexpr size_t kLargeCell = 65536;   // Gaussians of a cell that several threads share
 
 void add(PackCounts& sum, const PackCounts& part) {
   sum.non_finite += part.non_finite;

@@ -140,11 +140,12 @@ Node make_parent(const Config& config, std::span<const Node> children) {
 }
 
 double hull_area(const Config& config, const Node& node, double around) {
-  const double reach = std::sqrt(2 * std::log(config.alpha_cut)) * scale_value(config, node.scale_max);
+  const double unit = std::ldexp(2.0, static_cast<int>(node.half_exp));
+  // Without hulls the box is that of the means, and its Gaussians reach as far as the largest scale does.
+  const double reach =
+      config.tight_boxes ? 0 : std::sqrt(2 * std::log(config.alpha_cut)) * scale_value(config, node.scale_max);
   const auto side = [&](uint64_t half, uint64_t down, uint64_t up) {
-    const double unit = std::ldexp(2.0, static_cast<int>(node.half_exp));
-    return around +
-           (config.tight_boxes ? unit * static_cast<double>(down + up) : unit * static_cast<double>(half) + 2 * reach);
+    return around + 2 * reach + unit * static_cast<double>(config.tight_boxes ? down + up : half);
   };
   const double x = side(node.half_x, node.down_x, node.up_x), y = side(node.half_y, node.down_y, node.up_y),
                z = side(node.half_z, node.down_z, node.up_z);
