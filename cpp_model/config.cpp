@@ -80,6 +80,10 @@ void config_check(const Config& config) {
   if (config.quads && (!config.late || config.quadratic)) {
     throw ConfigError("configuration: quads = 1 needs late = 1 and quadratic = 0");
   }
+  if (config.has_aovs() && (!config.quads || config.pixel_w != 32)) {
+    throw ConfigError("configuration: aov_coverage, aov_depth, aov_median and aov_index need quads = 1 and "
+                      "pixel_w = 32");
+  }
   if (config.units > config.regions()) {
     throw ConfigError("configuration: units = " + std::to_string(config.units) + ", expected with window = " +
                       std::to_string(config.window) + " at most its regions = " + std::to_string(config.regions()));

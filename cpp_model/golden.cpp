@@ -157,6 +157,7 @@ void blend(const GoldenInput& input, GoldenWindow& window) {
   for (int r = 0; r < config.regions(); ++r) {
     window.regions.push_back(ru_fresh_region(config, input.frame, window.x, window.y, r));
     done.add(config, r, window.regions.back().all_done());
+    if (config.has_aovs()) window.aovs.push_back(ru_fresh_region_aovs(config));
   }
   window.depth.assign(window.regions.size() * kRegionPixels, 0);
   window.blended.assign(window.regions.size() * kRegionPixels, 0);
@@ -165,6 +166,8 @@ void blend(const GoldenInput& input, GoldenWindow& window) {
       const uint32_t color[3] = {static_cast<uint32_t>(splat.splat.red), static_cast<uint32_t>(splat.splat.green),
                                  static_cast<uint32_t>(splat.splat.blue)};
       const double depth = key_depth(*input.packed, splat.splat.depth) / constants.one;
+      const uint32_t linear =
+          config.has_depths() ? ru_linear(config, splat.splat.depth, input.frame.raster.aovs.range) : 0;
       for (uint64_t rest = splat.splat.mask & ~done.mask[splat.splat.part]; rest != 0; rest &= rest - 1) {
         const int bit = std::countr_zero(rest), r = region_number(config, splat.splat.part, bit);
         RegionState& region = window.regions[r];
@@ -173,14 +176,15 @@ void blend(const GoldenInput& input, GoldenWindow& window) {
         pu_region_line(rows, splat.job, bit, codes);
         if (config.quads)
           window.work.quads += static_cast<uint64_t>(std::popcount(ru_live_quads(codes, ru_stopped_quads(region))));
-        uint32_t before[kRegionPixels], done_before[kRegionPixels];
-        std::copy_n(region.t, kRegionPixels, before);
-        std::copy_n(region.done, kRegionPixels, done_before);
+        const RegionState before = region;
         if (ru_blend_region(constants, region, codes, color, &counts)) done.add(config, r);
+        if (config.has_aovs())
+          ru_add_region_aovs(config, constants, window.aovs[static_cast<size_t>(r)], before, region, codes, linear,
+                             splat.splat.index);
         double* sum = &window.depth[static_cast<size_t>(r) * kRegionPixels];
         uint32_t* number = &window.blended[static_cast<size_t>(r) * kRegionPixels];
         for (int i = 0; i < kRegionPixels; ++i) {
-          sum[i] += static_cast<double>(before[i] - region.t[i]) * depth;
+          sum[i] += static_cast<double>(before.t[i] - region.t[i]) * depth;
           number[i] += codes[i] != 0 && region.done[i] == 0;
         }
       }
@@ -391,6 +395,9 @@ GoldenFrame golden_frame(const GoldenInput& input, const GoldenOptions& options)
   result.image = Image(width, height);
   result.pixels.assign(static_cast<size_t>(width) * height, 0);
   result.stopped.assign(result.pixels.size(), 0);
+  for (size_t i = 0; i < kAovs.size(); ++i) {
+    if (wants_aov(config, frame, kAovs[i])) result.aovs[i].assign(result.pixels.size(), 0);
+  }
   // (layer, depth key) of each Gaussian; it has the same in every window.
   std::vector<uint64_t> order(std::max(input.packed->scene_gaussians, input.packed->slot_to_index.size()), kUnseen);
   std::mutex mutex;
@@ -417,6 +424,11 @@ GoldenFrame golden_frame(const GoldenInput& input, const GoldenOptions& options)
         result.image.depth[at] = window.depth[in_window];
         result.image.blended[at] = window.blended[in_window];
         result.pixels[at] = ru_resolve(config, pixel);
+        for (size_t i = 0; i < kAovs.size(); ++i) {
+          if (!result.aovs[i].empty())
+            result.aovs[i][at] = static_cast<uint32_t>(
+                ru_aov_word(config, kAovs[i], pixel.t, window.aovs[static_cast<size_t>(r)][static_cast<size_t>(p)]));
+        }
         result.stopped[at] = pixel.done ? 1 : 0;
       }
     }

@@ -18,7 +18,7 @@
 #include "cpp_model/float/image.hpp"
 #include "cpp_model/pu/project/pu_project.hpp"
 #include "cpp_model/records.hpp"
-#include "cpp_model/ru/ru_lanes.hpp"
+#include "cpp_model/ru/ru_aovs.hpp"
 #include "cpp_model/ru/ru_raster.hpp"
 #include "cpp_model/dopu/walk.hpp"
 #include "cpp_model/pack/pack.hpp"
@@ -80,6 +80,7 @@ struct GoldenWindow {
   std::vector<uint64_t> walks;       // order 2, one after the other: of the whole, or of parts
   std::vector<GoldenLayer> layers;   // those with at least one chunk (order 1: one, if a list has an entry); maybe none
   std::vector<RegionState> regions;  // T, RGB, done of the finished window
+  std::vector<RegionAovs> aovs;      // of each region; none where the machine has none
   std::vector<double> depth;         // sum of weight * view depth in scene units, by region and pixel
   std::vector<uint32_t> blended;     // Gaussians blended, by region and pixel
   Work work;
@@ -133,6 +134,7 @@ void golden_codes(const Config& config, const RowJob& job, int bit, uint16_t cod
 struct GoldenFrame {
   Image image;
   std::vector<uint64_t> pixels;  // as in external memory by windows (ru_resolve), row by row of the image
+  std::array<std::vector<uint32_t>, kAovs.size()> aovs;  // those that the frame wants, in the order of kAovs
   std::vector<uint8_t> stopped;  // 1: a Gaussian that would have brought T below the stop ended the pixel
   Work work;
   Saturations saturations;

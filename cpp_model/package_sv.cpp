@@ -181,7 +181,7 @@ constexpr const char* kBundles = R"(
     logic [Units-1:0][TapLanes*TapLineW-1:0] alphas;
     logic [Units-1:0][TapLanes*2-1:0] alphas_quarter;
     logic [Units-1:0][TapLanes*RegionW-1:0] alphas_region;
-    logic [Units-1:0][TapLanes*TapIndexW-1:0] alphas_index;
+    logic [Units-1:0][TapLanes*ShownIndexW-1:0] alphas_index;
     logic [Units-1:0][TapLanes-1:0] alphas_valid;
   } raster_taps_t;
 

@@ -4,7 +4,8 @@
 // Idea    A part that finds something wrong stops and says so until it is reset. What is said first of either cause is
 //         reported with its line, and from then on no request goes to memory: the frame is given up, and all others
 //         inside with it. Whether the pixels of a frame have room is known when it begins, and is looked at here,
-//         before one of them can be written: so nothing is written behind the area of either format.
+//         before one of them can be written: so nothing is written behind the area of either format, nor over the
+//         next one of its AOVs.
 // Stream  restart_i: a frame begins, with its parameters. error_o: pulses, {bad_scene, area_full}; error_line_o: of
 //         each the line of memory that it concerns, area_full's lowest. Lines and stop_o stay until the reset.
 // Pace    Registered: two cycles behind what was found, pixels without room four behind restart_i.
@@ -85,9 +86,18 @@ module pipegs_errors #(
   logic [1:0]            found, known_q, error_q;
   logic [2*AddressW-1:0] line_q;
 
-  pipegs_first_line #(.Ports(3)) u_full (
-    .valid_i({full_i, no_room}),
-    .line_i({full_line_i, pixels_i.first + pixels_i.lines}),
+  localparam int unsigned Places = pipegs_pkg::HasAovs ? 2 : 1;
+  logic [Places-1:0]          outgrown;
+  logic [Places*AddressW-1:0] ends;
+  assign outgrown[0]         = no_room;
+  assign ends[AddressW-1:0]  = pixels_i.first + pixels_i.lines;
+  if (pipegs_pkg::HasAovs) begin : gen_aovs
+    assign outgrown[1] = begun_q[1] && raster_i.aovs.wanted != '0 && MostW'(need_q) > MostW'(raster_i.aovs.lines);
+    assign ends[AddressW +: AddressW] = raster_i.aovs.base + raster_i.aovs.lines;
+  end
+  pipegs_first_line #(.Ports(2 + Places)) u_full (
+    .valid_i({full_i, outgrown}),
+    .line_i({full_line_i, ends}),
     .valid_o(full),
     .line_o(full_line)
   );

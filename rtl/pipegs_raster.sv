@@ -65,6 +65,10 @@ module pipegs_raster #(
     logic [Units-1:0][pipegs_pkg::HalvesW-1:0] halves;
     logic [Units-1:0][1:0]                     perf;
   } outs_t;
+  localparam int unsigned Kinds    = pipegs_pkg::AovKinds;
+  localparam int unsigned AddressW = pipegs_pkg::AddressW;
+  logic [Kinds*AddressW-1:0] ahead;  // of each AOV: lines behind the pixels
+
   pairs_t pairs;
   reads_t reads;
   outs_t  outs;
@@ -81,6 +85,21 @@ module pipegs_raster #(
     .out_o(splat),
     .active_o(dispatch_active)
   );
+
+  if (pipegs_pkg::HasAovs) begin : gen_aovs
+    localparam logic [Kinds-1:0] Built = {pipegs_pkg::AovIndex != 0, pipegs_pkg::AovMedian != 0,
+                                          pipegs_pkg::AovDepth != 0, pipegs_pkg::AovCoverage != 0};
+    always_comb begin
+      logic [AddressW-1:0] line;
+      line = raster_i.aovs.base - picture_i.base;
+      for (int unsigned i = 0; i < Kinds; i += 1) begin
+        ahead[i*AddressW +: AddressW] = line;
+        if (raster_i.aovs.wanted[i] && Built[i]) line += raster_i.aovs.lines;
+      end
+    end
+  end else begin : gen_no_aovs
+    assign ahead = '0;
+  end
 
   for (genvar k = 0; k < Units; k += 1) begin : gen_unit
     // The RU with which this one shares lines, if there is another one.
@@ -111,6 +130,7 @@ module pipegs_raster #(
       .rst_ni,
       .raster_i,
       .picture_i,
+      .ahead_i(ahead),
       .overflow_i,
       .unit_i(pipegs_pkg::UnitW'(k)),
       .restart_i,

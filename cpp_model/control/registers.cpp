@@ -67,7 +67,7 @@ void add_fields(const Config& config, const RecordEntry& entry, const std::strin
       add_fields(config, record(field.type), name + ".", *field.what != '\0' ? field.what : outer_what, slots);
       continue;
     }
-    const bool address = std::string_view(field.type) == "address_w";
+    const bool address = std::string_view(field.type).ends_with("address_w");
     slots.push_back({.name = name,
                      .offset = 0,
                      .width = config_value(config, field.type),

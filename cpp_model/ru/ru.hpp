@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "cpp_model/memory_line.hpp"
-#include "cpp_model/ru/ru_lanes.hpp"
+#include "cpp_model/ru/ru_aovs.hpp"
 #include "cpp_model/ru/ru_raster.hpp"
 #include "cpp_model/ru/ru_resolve.hpp"
 #include "cpp_model/ru/ru_walk.hpp"
@@ -24,6 +24,7 @@ struct RuState {
   uint64_t own = 0;                     // the regions of this RU in a part, as a mask
   uint64_t window_x = 0, window_y = 0;  // the window that is being blended
   std::vector<RegionState> regions;     // by slot
+  std::vector<RegionAovs> aovs;         // likewise; none where the machine has none
   RegionSet done;                       // owned regions that are done
   BlendCounts counts;
 };
@@ -31,11 +32,13 @@ struct RuState {
 // Makes the regions of the current window fresh.
 inline void ru_start_window(const Config& c, const Frame& frame, RuState& state) {
   state.regions.clear();
+  state.aovs.clear();
   state.done = {};
   for (int slot = 0; slot < c.regions() / c.units; ++slot) {
     const int region = ru_region(c, state.unit, slot);
     state.regions.push_back(ru_fresh_region(c, frame, state.window_x, state.window_y, region));
     state.done.add(c, region, state.regions.back().all_done());
+    if (c.has_aovs()) state.aovs.push_back(ru_fresh_region_aovs(c));
   }
 }
 
@@ -45,6 +48,7 @@ inline RuState ru_start(const Config& c, const Frame& frame, int unit) {
                 .window_x = frame.raster.windows.first_x,
                 .window_y = frame.raster.windows.first_y,
                 .regions = {},
+                .aovs = {},
                 .done = {},
                 .counts = {}};
   ru_start_window(c, frame, state);
@@ -59,11 +63,11 @@ inline bool ru_leaves(const Config& c, const Frame& frame, const Picture& pictur
   return ru_inside(c, frame, state.window_x, state.window_y, ru_joined(c, picture) ? region / 2 * 2 : region);
 }
 
-// The requests that write a region of the current window: pixels(line address, halves of it, const MemoryLine&).
-template <class Pixels>
-void ru_write(const Config& c, const Frame& frame, const Picture& picture, const RuState& state, int region,
-              Pixels&& pixels) {
-  const RegionState& of = state.regions[ru_slot(c, region)];
+// The requests that write a region of the current window, or of one of its AOVs, which lies `ahead` lines further:
+// pixels(line address, halves of it, const MemoryLine&). by_windows(pixel), in_raster(pixel): as they lie in memory.
+template <class ByWindows, class InRaster, class Pixels>
+void ru_write_lines(const Config& c, const Frame& frame, const Picture& picture, const RuState& state, int region,
+                    uint64_t ahead, ByWindows&& by_windows, InRaster&& in_raster, Pixels&& pixels) {
   const uint64_t x = state.window_x * c.window + 8 * static_cast<uint64_t>(region_x(c, region)),
                  y = state.window_y * c.window + 8 * static_cast<uint64_t>(region_y(c, region));
   const int rows = picture.format != 0 ? 1 : 8 / c.region_lines();  // in a request
@@ -71,14 +75,30 @@ void ru_write(const Config& c, const Frame& frame, const Picture& picture, const
     MemoryLine line{};
     if (picture.format == 0) {
       for (int i = 0; i < 8 * rows; ++i)
-        put_bits(line.data(), ru_pixel_bit(c, row + i / 8, i % 8), c.pixel_w, ru_resolve(c, of.pixel(8 * row + i)));
-      pixels(ru_pixel_line(c, frame, state.window_x, state.window_y, region, row), 3, line);
+        put_bits(line.data(), ru_pixel_bit(c, row + i / 8, i % 8), c.pixel_w, by_windows(8 * row + i));
+      pixels(ru_pixel_line(c, frame, state.window_x, state.window_y, region, row) + ahead, 3, line);
     } else if (y + static_cast<uint64_t>(row) < frame.raster.height) {
       for (int i = 0; i < 8; ++i)
-        put_bits(line.data(), ru_raster_bit(x + static_cast<uint64_t>(i)), 32,
-                 ru_rgba8(c, ru_resolve(c, of.pixel(8 * row + i))));
-      pixels(ru_raster_line(picture, x, y + static_cast<uint64_t>(row)), 1 << ru_raster_half(x), line);
+        put_bits(line.data(), ru_raster_bit(x + static_cast<uint64_t>(i)), 32, in_raster(8 * row + i));
+      pixels(ru_raster_line(picture, x, y + static_cast<uint64_t>(row)) + ahead, 1 << ru_raster_half(x), line);
     }
+  }
+}
+
+// The requests that write a region of the current window, its AOVs behind its colours.
+template <class Pixels>
+void ru_write(const Config& c, const Frame& frame, const Picture& picture, const RuState& state, int region,
+              Pixels&& pixels) {
+  const RegionState& of = state.regions[ru_slot(c, region)];
+  const auto color = [&](int i) { return ru_resolve(c, of.pixel(i)); };
+  ru_write_lines(
+      c, frame, picture, state, region, 0, color, [&](int i) { return ru_rgba8(c, color(i)); }, pixels);
+  const uint64_t base = picture.format != 0 ? picture.base : frame.tables.pixels;
+  for (const Aov aov : kAovs) {
+    if (!wants_aov(c, frame, aov)) continue;
+    const RegionAovs& aovs = state.aovs[ru_slot(c, region)];
+    const auto word = [&](int i) { return ru_aov_word(c, aov, of.t[i], aovs[static_cast<size_t>(i)]); };
+    ru_write_lines(c, frame, picture, state, region, aov_line(c, frame, aov) - base, word, word, pixels);
   }
 }
 
@@ -91,10 +111,14 @@ void ru_take(const Config& c, const BlendConstants& k, const Frame& frame, const
     const uint32_t color[3] = {static_cast<uint32_t>(splat.red), static_cast<uint32_t>(splat.green),
                                static_cast<uint32_t>(splat.blue)};
     for (uint64_t rest = splat.mask & state.own & ~state.done.mask[splat.part]; rest != 0; rest &= rest - 1) {
-      const int region = region_number(c, splat.part, std::countr_zero(rest));
-      if (ru_blend_region(k, state.regions[ru_slot(c, region)], codes(splat, region), color, &state.counts)) {
-        state.done.add(c, region);
-      }
+      const int region = region_number(c, splat.part, std::countr_zero(rest)), slot = ru_slot(c, region);
+      const uint16_t* const of_region = codes(splat, region);
+      RegionState& pixels_of = state.regions[slot];
+      const RegionState before = pixels_of;
+      if (ru_blend_region(k, pixels_of, of_region, color, &state.counts)) state.done.add(c, region);
+      if (c.has_aovs())
+        ru_add_region_aovs(c, k, state.aovs[slot], before, pixels_of, of_region,
+                           ru_linear(c, splat.depth, frame.raster.aovs.range), splat.index);
     }
     return;
   }

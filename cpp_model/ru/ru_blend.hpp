@@ -62,11 +62,21 @@ struct BlendCounts {
   uint64_t saturated = 0;  // colour channels held at the top
 };
 
+// What a Gaussian would add to a pixel, u1.(TW-1), if it were not the last one.
+inline uint32_t ru_weight(const BlendConstants& k, uint32_t t, uint32_t code) {
+  return static_cast<uint32_t>((uint64_t{t} * code + (uint64_t{1} << (k.alpha_w - 1))) >> k.alpha_w);
+}
+
+// Whether a pixel takes it: it has an alpha, and the pixel neither has stopped nor stops before it.
+inline bool ru_takes(const BlendConstants& k, const PixelState& pixel, uint32_t code) {
+  return code != 0 && !pixel.done && pixel.t - ru_weight(k, pixel.t, code) >= k.stop;
+}
+
 // Blends one Gaussian into one pixel; returns its weight, u1.(TW-1).
 inline uint32_t ru_blend(const BlendConstants& k, PixelState& pixel, uint32_t code, const uint32_t color[3],
                          BlendCounts* counts = nullptr) {
   if (pixel.done) return 0;
-  auto weight = static_cast<uint32_t>((uint64_t{pixel.t} * code + (uint64_t{1} << (k.alpha_w - 1))) >> k.alpha_w);
+  uint32_t weight = ru_weight(k, pixel.t, code);
   const bool last = pixel.t < k.rest && code != 0, over = pixel.t - weight < k.stop;
   if (last || over) {
     pixel.done = true;

@@ -15,12 +15,14 @@ module pipegs_ru #(
   localparam int unsigned TapLanes = pipegs_pkg::TapLanes,
   localparam int unsigned Slots = pipegs_pkg::Regions / pipegs_pkg::Units,
   localparam int unsigned Lanes = 16,
+  localparam int unsigned Kinds = pipegs_pkg::AovKinds,
   localparam int unsigned WordW = Lanes * (pipegs_pkg::TW + 3 * pipegs_pkg::RgbW + 1)
 ) (
   input  logic                                 clk_i,
   input  logic                                 rst_ni,
   input  pipegs_pkg::raster_t                  raster_i,
   input  pipegs_pkg::picture_t                 picture_i,       // its base is that of the pixels in either format
+  input  logic [Kinds*pipegs_pkg::AddressW-1:0] ahead_i,        // how many lines each AOV lies behind the pixels
   input  pipegs_pkg::span_t                    overflow_i,      // constant while a frame is inside
   input  logic [pipegs_pkg::UnitW-1:0]         unit_i,          // constant
   input  logic                                 restart_i,       // a frame begins; the RU is idle
@@ -68,7 +70,7 @@ module pipegs_ru #(
   output logic [1:0]                           perf_o,          // 0 busy, 1 starved, 2 blocked, 3 memory
 
   output logic [TapLanes-1:0]                  tap_line_valid_o,  // alphas are consumed
-  output logic [TapLanes*pipegs_pkg::TapIndexW-1:0] tap_line_index_o,  // of this Gaussian
+  output logic [TapLanes*pipegs_pkg::ShownIndexW-1:0] tap_line_index_o,  // of this Gaussian
   output logic [TapLanes*pipegs_pkg::RegionW-1:0] tap_line_region_o,
   output logic [TapLanes*2-1:0]                tap_line_quarter_o,  // of the region, with Quads
   output logic [TapLanes*pipegs_pkg::TapLineW-1:0] tap_line_o,
@@ -87,8 +89,8 @@ module pipegs_ru #(
   localparam int unsigned MaskW  = pipegs_pkg::MaskW;
   localparam int unsigned Shared = pipegs_pkg::Quads == 0 ? 1 : Units;  // bits of a mask that are kept as one
   localparam int unsigned KeptW  = MaskW / Shared;
-  localparam int unsigned BelowW = pipegs_pkg::KindW + pipegs_pkg::TapDepthW + pipegs_pkg::PartW +
-                                   pipegs_pkg::TapIndexW;  // of a splat below its mask
+  localparam int unsigned BelowW = pipegs_pkg::KindW + pipegs_pkg::ShownDepthW + pipegs_pkg::PartW +
+                                   pipegs_pkg::ShownIndexW;  // of a splat below its mask
   localparam int unsigned AboveW = pipegs_pkg::SortedBits - MaskW - BelowW;
   localparam int unsigned QueueW = AboveW + KeptW + BelowW;
   logic                splat_valid, splat_ready;
@@ -162,6 +164,22 @@ module pipegs_ru #(
   end else begin : gen_no_rest
     assign rest = '0;
   end
+
+  logic [pipegs_pkg::ExpW-1:0] range;   // of depths, for AOVs: 2^(range + 1) world units
+  logic [Kinds-1:0]            wanted;  // AOVs that the frame writes
+  if (pipegs_pkg::HasDepths) begin : gen_range
+    assign range = raster_i.aovs.range;
+  end else begin : gen_no_range
+    assign range = '0;
+  end
+  if (pipegs_pkg::HasAovs) begin : gen_wanted
+    assign wanted = raster_i.aovs.wanted & {pipegs_pkg::AovIndex != 0, pipegs_pkg::AovMedian != 0,
+                                            pipegs_pkg::AovDepth != 0, pipegs_pkg::AovCoverage != 0};
+  end else begin : gen_no_aovs
+    assign wanted = '0;
+  end
+  logic unused_raster;  // where AOVs lie
+  assign unused_raster = &{1'b0, raster_i};
 
   // --- blending -----------------------------------------------------------------------------------------------------
   logic                load_valid, load_ready, store_valid, store_ready, issue, memory, waits, blend_idle;
@@ -244,8 +262,8 @@ module pipegs_ru #(
       .mem_data_o(store_data)
     );
     assign {pair_at_end_o, pair_wanted_o} = '0;
-    logic unused_pair;
-    assign unused_pair = &{1'b0, pair_at_end_i, pair_wanted_i};
+    logic unused_live;
+    assign unused_live = &{1'b0, pair_at_end_i, pair_wanted_i, range, wanted, ahead_i};
     assign blend_idle         = whole_idle && resolve_ready;
     assign tap_line_quarter_o = '0;
   end else begin : gen_live
@@ -267,6 +285,9 @@ module pipegs_ru #(
       .pair_wanted_i,
       .at_end_o(pair_at_end_o),
       .wanted_o(pair_wanted_o),
+      .range_i(range),
+      .wanted_aovs_i(wanted),
+      .ahead_i,
       .raster_i(picture_i.format),
       .stride_i(picture_i.stride),
       .line_i(line),

@@ -12,7 +12,10 @@
 // Pace    One pixel per cycle; one multiplication per stage. Registers hold while their enable is low.
 // Model   cpp_model/ru/ru_blend.hpp
 
-module ru_blend (
+module ru_blend #(
+  localparam int unsigned DepthW = pipegs_pkg::HasDepths ? pipegs_pkg::LinearW : 1,
+  localparam int unsigned AovW   = pipegs_pkg::HasAovs ? pipegs_pkg::AovBits : 1
+) (
   input  logic                                    clk_i,
   input  logic [pipegs_pkg::TW-1:0]               rest_i,  // T, of the frame; 0: INRIA's rule
 
@@ -29,7 +32,13 @@ module ru_blend (
   input  logic [3*pipegs_pkg::RgbW-1:0]           rgb_i,  // blue, green, red; red lowest
   output logic [3*pipegs_pkg::RgbW-1:0]           rgb_o,
   output logic [pipegs_pkg::TW-1:0]               t_o,
-  output logic                                    done_o
+  output logic                                    done_o,
+
+  input  logic [DepthW-1:0]                       depth_1_i,  // for AOVs: in cycle 1, and in cycle 2
+  input  logic [DepthW-1:0]                       depth_2_i,
+  input  logic [pipegs_pkg::ShownIndexW-1:0]      index_2_i,
+  input  logic [AovW-1:0]                         aovs_i,     // cycle 2
+  output logic [AovW-1:0]                         aovs_o
 );
 
   localparam int unsigned TW = pipegs_pkg::TW;
@@ -87,5 +96,27 @@ module ru_blend (
   assign done_o = done_2_q;
   assign rgb_o  = {added(rgb_i[2*RgbW +: RgbW], blue_2_q), added(rgb_i[RgbW +: RgbW], green_2_q),
                    added(rgb_i[RgbW-1:0], red_2_q)};
+
+  if (pipegs_pkg::HasAovs) begin : gen_aovs
+    logic some_1_q;  // it has an alpha
+    always_ff @(posedge clk_i) if (enable_1_i) some_1_q <= code_i != '0;
+    ru_aovs u_aovs (
+      .clk_i,
+      .enable_i(enable_2_i),
+      .taken_i(some_1_q && !hold),
+      .before_i(t_1_q),
+      .after_i(last_1_q ? '0 : remain),
+      .weight_i(weight),
+      .depth_1_i,
+      .depth_2_i,
+      .index_2_i,
+      .aovs_i,
+      .aovs_o
+    );
+  end else begin : gen_no_aovs
+    assign aovs_o = '0;
+    logic unused_aovs;
+    assign unused_aovs = &{1'b0, depth_1_i, depth_2_i, index_2_i, aovs_i};
+  end
 
 endmodule

@@ -175,7 +175,12 @@ module ru_lanes #(
       .rgb_i     (rgb_3_q.of[i]),
       .rgb_o     (blended.rgb[i]),
       .t_o       (blended.t[i]),
-      .done_o    (blended.done[i])
+      .done_o    (blended.done[i]),
+      .depth_1_i ('0),
+      .depth_2_i ('0),
+      .index_2_i ('0),
+      .aovs_i    ('0),
+      .aovs_o    ()
     );
   end
 

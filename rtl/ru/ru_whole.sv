@@ -63,7 +63,7 @@ module ru_whole #(
   output logic                                 idle_o,
 
   output logic                                 tap_line_valid_o,  // a line is consumed
-  output logic [pipegs_pkg::TapIndexW-1:0]     tap_line_index_o,
+  output logic [pipegs_pkg::ShownIndexW-1:0]     tap_line_index_o,
   output logic [pipegs_pkg::RegionW-1:0]       tap_line_region_o,
   output logic [LineW-1:0]                     tap_line_o,
   output logic                                 tap_word_valid_o,  // a word of sixteen pixels is written back

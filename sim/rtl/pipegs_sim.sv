@@ -78,7 +78,7 @@ module pipegs_sim #(
   output logic [Units*pipegs_pkg::WindowW-1:0] tap_window_x_o,
   output logic [Units*pipegs_pkg::WindowW-1:0] tap_window_y_o,
   output logic [TapsN-1:0]              tap_alphas_valid_o,
-  output logic [TapsN*pipegs_pkg::TapIndexW-1:0] tap_alphas_index_o,
+  output logic [TapsN*pipegs_pkg::ShownIndexW-1:0] tap_alphas_index_o,
   output logic [TapsN*pipegs_pkg::RegionW-1:0] tap_alphas_region_o,
   output logic [TapsN*2-1:0]            tap_alphas_quarter_o,
   output logic [TapsN*pipegs_pkg::TapLineW-1:0] tap_alphas_o,

@@ -31,7 +31,7 @@ struct Widths {
         request(record_width<MemoryRequest>(c)),
         kind(c.kind_w()),
         region(c.region_w()),
-        index(c.tap_index_w()),
+        index(c.shown_index_w()),
         window(c.window_w()),
         line(c.tap_line_w()),
         pixels(c.tap_word_w()),

@@ -101,6 +101,8 @@ class RuBench : public Bench<Vpipegs_ru> {
     frame = new_frame;
     picture = random_picture(kConfig, frame, rng, raster);
     write_port(dut.picture_i, picture_words(kConfig, picture).data());
+    frame.raster.aovs = random_aovs(kConfig, frame, picture, rng);
+    write_aovs(kConfig, dut, frame, picture);
     other.joined = ru_joined(kConfig, picture);
     write_frame(kConfig, dut, frame);
     dut.restart_i = 1;
@@ -217,7 +219,7 @@ class RuBench : public Bench<Vpipegs_ru> {
 
   // Alphas are consumed: of a region, or of a quad.
   void observe_line(int lane) {
-    const uint64_t index = field(dut.tap_line_index_o, lane, kConfig.tap_index_w());
+    const uint64_t index = field(dut.tap_line_index_o, lane, kConfig.shown_index_w());
     const int region = static_cast<int>(field(dut.tap_line_region_o, lane, kConfig.region_w()));
     const int row = static_cast<int>(field(dut.tap_line_quarter_o, lane, 2));
     const Codes& one = codes.at({index, region});
@@ -230,12 +232,21 @@ class RuBench : public Bench<Vpipegs_ru> {
     const Sorted& splat = colors.at(index);
     const uint32_t color[3] = {static_cast<uint32_t>(splat.red), static_cast<uint32_t>(splat.green),
                                static_cast<uint32_t>(splat.blue)};
-    RegionState& state_of = tapped.regions[ru_slot(kConfig, region)];
+    const int slot = ru_slot(kConfig, region);
+    RegionState& state_of = tapped.regions[slot];
     if (kConfig.quads) {
       const int quad = ru_quad(lane, row);
       ASSERT_TRUE(ru_live_quads(one.data(), 0) >> quad & 1) << "no pixel of the quad is visible, cycle " << cycle;
+      RegionAovs* const aovs = kConfig.has_aovs() ? &tapped.aovs[slot] : nullptr;
+      const RegionState earlier = state_of;
       ru_blend_quad(kBlend, state_of, quad, one.data(), color);
-      expected_words[lane].push_back({region, row, pixel_word(kConfig, state_of, row, lane)});
+      if (aovs != nullptr) {
+        Codes of_quad{};
+        for (int i = 0; i < kQuadPixels; ++i) of_quad[ru_quad_pixel(quad, i)] = one[ru_quad_pixel(quad, i)];
+        ru_add_region_aovs(kConfig, kBlend, *aovs, earlier, state_of, of_quad.data(),
+                           ru_linear(kConfig, splat.depth, frame.raster.aovs.range), index);
+      }
+      expected_words[lane].push_back({region, row, pixel_word(kConfig, state_of, row, lane, aovs)});
     } else {
       ru_blend_region(kBlend, state_of, one.data(), color);
       for (int q = 0; q < 4; ++q) expected_words[lane].push_back({region, q, pixel_word(kConfig, state_of, q)});
@@ -247,8 +258,7 @@ class RuBench : public Bench<Vpipegs_ru> {
   void observe_word(int lane) {
     Words all(port_words<decltype(dut.tap_word_o)>() + 2), found(pixel_word_width(kConfig) / 32 + 2);
     read_port(dut.tap_word_o, all.data());
-    for (int at = 0; at < pixel_word_width(kConfig); ++at)
-      put_bits(found.data(), at, 1, get_bits(all.data(), lane * pixel_word_width(kConfig) + at, 1));
+    copy_bits(all.data(), lane * pixel_word_width(kConfig), found.data(), 0, pixel_word_width(kConfig));
     ASSERT_FALSE(expected_words[lane].empty());
     const ExpectedWord& expected = expected_words[lane].front();
     ASSERT_EQ(field(dut.tap_word_region_o, lane, kConfig.region_w()), expected.region) << "cycle " << cycle;
@@ -265,6 +275,12 @@ class RuBench : public Bench<Vpipegs_ru> {
     Words words(port_words<Port>() + 2);
     read_port(port, words.data());
     return get_bits(words.data(), i * width, width);
+  }
+
+  uint64_t wanted_aovs() const {
+    uint64_t wanted = 0;
+    for (const Aov aov : kAovs) wanted |= uint64_t{wants_aov(kConfig, frame, aov)} << static_cast<int>(aov);
+    return wanted;
   }
 
   // Runs until the RU is idle and compares the frame in memory.
@@ -451,7 +467,7 @@ TEST(Ru, ARegionTakesFourCycles) {
 
 // The pixels of a window are written while the next one is blended. With quads each region is handed over before: four
 // turns of the lanes, and in the first round no more than two words in five cycles, in six where a word is two
-// lines.
+// lines, and a line more for each AOV.
 TEST(Ru, WritingAWindowHidesBehindTheNextOne) {
   RuBench bench({.options = {.latency = 20, .bytes_per_cycle = 64}}, 0);
   bench.start(random_frame(bench.rng, 8ull * kConfig.window, kConfig.window));
@@ -466,7 +482,8 @@ TEST(Ru, WritingAWindowHidesBehindTheNextOne) {
   std::printf("cycles per region over 8 windows: %.3f; busy %llu starved %llu blocked %llu memory %llu\n", per_region,
               (unsigned long long)bench.perf[0], (unsigned long long)bench.perf[1], (unsigned long long)bench.perf[2],
               (unsigned long long)bench.perf[3]);
-  const double handed = kConfig.quads ? (kConfig.pixel_w == 32 ? 6.0 : 8.0) / rounds : 0;
+  const double aovs = std::popcount(bench.wanted_aovs());  // each takes a turn more for every word
+  const double handed = kConfig.quads ? (kConfig.pixel_w == 32 ? 6.0 + 4 * aovs : 8.0) / rounds : 0;
   const double start = (kConfig.quads ? 16.0 : 8.0) / (rounds * slots);
   EXPECT_LT(per_region, 4.0 + handed + start) << "a window's end empties the RU";
 }

@@ -20,6 +20,33 @@ inline Picture random_picture(const Config& config, const Frame& frame, std::mt1
   return picture;
 }
 
+// How far behind the pixels each AOV lies, which pipegs_raster finds out once for all RUs; which ones are wanted.
+template <class Dut>
+void write_aovs(const Config& config, Dut& dut, const Frame& frame, const Picture& picture) {
+  std::vector<uint32_t> ahead(static_cast<size_t>(Config::aov_kinds() * config.address_w() / 32 + 2));
+  uint32_t wanted = 0;
+  for (const Aov aov : kAovs) {
+    const int number = static_cast<int>(aov);
+    if (!wants_aov(config, frame, aov)) continue;
+    wanted |= 1u << number;
+    put_bits(ahead.data(), number * config.address_w(), config.address_w(),
+             aov_line(config, frame, aov) - (picture.format != 0 ? picture.base : frame.tables.pixels));
+  }
+  write_port(dut.ahead_i, ahead.data());
+  if constexpr (requires { dut.wanted_aovs_i; }) dut.wanted_aovs_i = wanted;
+}
+
+// AOVs behind it, some of them wanted.
+inline Aovs random_aovs(const Config& config, const Frame& frame, const Picture& picture, std::mt19937_64& rng) {
+  if (!config.has_aovs()) return {};
+  const uint64_t row = std::max<uint64_t>(picture.stride, 1),
+                 lines = row * (frame.raster.height + 100000 + rng() % 100);
+  return {.wanted = rng() % 16,
+          .range = config.has_depths() ? rng() % 64 : 0,
+          .base = picture.base + lines * (1 + rng() % 3),
+          .lines = lines};
+}
+
 class WrittenPixels {
  public:
   // What the model writes of a region, in the window of `state`.
@@ -42,7 +69,7 @@ class WrittenPixels {
     lines_.erase(expected);
   }
   bool empty() const { return lines_.empty(); }
-  // Whether both halves of a line of the picture hold pixels.
+  // Whether both halves of a line of the picture hold pixels; AOVs lie whole rows further.
   static bool wide(const Frame& frame, const Picture& picture, uint64_t line) {
     return (line - picture.base) % picture.stride * 16 + 8 < frame.raster.width;
   }

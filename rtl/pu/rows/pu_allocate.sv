@@ -223,7 +223,7 @@ module pu_allocate #(
     row_job_o.mask    = tiles_q.mask;
     row_job_o.address = address_q;
     row_job_o.ext     = ext_q;
-    row_job_o.index   = pipegs_pkg::TapIndexW'(payload_q.index);
+    row_job_o.index   = pipegs_pkg::ShownIndexW'(payload_q.index);
     color_job_o.kind    = tiles_q.kind;
     color_job_o.depth   = payload_q.depth;
     color_job_o.index   = pipegs_pkg::SplatIndexW'(payload_q.index);

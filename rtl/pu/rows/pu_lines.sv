@@ -112,7 +112,7 @@ module pu_lines #(
     row_job_o.mask    = tiles_q.mask;
     row_job_o.address = {unit_i, lines_q};
     row_job_o.ext     = 1'b1;
-    row_job_o.index   = pipegs_pkg::TapIndexW'(listed_q.index);
+    row_job_o.index   = pipegs_pkg::ShownIndexW'(listed_q.index);
     splat_o.kind      = tiles_q.kind;
     splat_o.depth     = listed_q.depth;
     splat_o.index     = listed_q.index;

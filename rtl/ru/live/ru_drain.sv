@@ -5,7 +5,8 @@
 // Idea    One buffer. A region of the finished window is held until its four words were read and cleared; then the next
 //         window may blend it. Regions that the next splat wants go first. A job takes one turn of all groups of lanes
 //         and its word comes three cycles later, so there is a place for it before it is asked for. Where the word lies
-//         is found out meanwhile; in raster order words below the picture are read and cleared only.
+//         is found out meanwhile; in raster order words below the picture are read and cleared only. Behind its
+//         colours a word's AOVs are written, each to the same place so many lines further.
 // Stream  start_i with the window's first line, its rows and the slots outside the image, which are clear already.
 //         restart_i: all is cleared, nothing written. Jobs out, words in, write requests out.
 // Pace    A word per cycle while there is room; RuDrained words in five cycles, in six when each is two requests.
@@ -15,7 +16,9 @@ module ru_drain #(
   localparam int unsigned Lanes   = 16,
   localparam int unsigned Slots   = pipegs_pkg::Regions / pipegs_pkg::Units,
   localparam int unsigned AddrW   = $clog2(Slots * 4),
-  localparam int unsigned WordW   = Lanes * (pipegs_pkg::TW + 3 * pipegs_pkg::RgbW + 1)
+  localparam int unsigned WordW   = Lanes * (pipegs_pkg::TW + 3 * pipegs_pkg::RgbW + 1),
+  localparam int unsigned AovsW   = pipegs_pkg::HasAovs ? Lanes * pipegs_pkg::AovBits : 4,
+  localparam int unsigned Kinds   = pipegs_pkg::AovKinds
 ) (
   input  logic                            clk_i,
   input  logic                            rst_ni,
@@ -37,6 +40,9 @@ module ru_drain #(
   output logic                            job_o,
   output logic [AddrW-1:0]                job_address_o,
   input  logic [WordW-1:0]                word_i,     // of the job three cycles ago
+  input  logic [AovsW-1:0]                aovs_i,     // of its pixels
+  input  logic [Kinds-1:0]                wanted_aovs_i,  // what is written of them
+  input  logic [Kinds*pipegs_pkg::AddressW-1:0] ahead_i,  // how many lines behind the colours
 
   output logic                            mem_valid_o,
   input  logic                            mem_ready_i,
@@ -134,8 +140,9 @@ module ru_drain #(
   logic [2:0]          flying_q;  // a job whose word is written, of one, two, three cycles ago
   logic [AddressW-1:0] place;     // line of the word that is written next
   logic                place_half, place_two, second_q;
-  logic [LinesW-1:0]   lines, word;
-  logic                word_valid, tag_ready, tag_valid, pop, word_ready;
+  logic [LinesW-1:0]   lines, word, shown_word;  // shown: of it the colours, or an AOV
+  logic [AddressW-1:0] line, ahead;
+  logic                word_valid, tag_ready, tag_valid, written, pop, word_ready;
   logic [$clog2(Depth+1)-1:0] tags, words;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -173,21 +180,74 @@ module ru_drain #(
   ru_lines u_lines (
     .raster_i,
     .stride_i,
-    .first_i(place),
+    .first_i(line),
     .half_i(place_half),
     .second_i(second_q),
-    .lines_i(word),
+    .lines_i(shown_word),
     .address_o(mem_address_o),
     .halves_o(mem_halves_o),
     .data_o(mem_data_o)
   );
   assign mem_valid_o = word_valid;
-  assign pop         = word_valid && mem_ready_i && (second_q || !place_two);
+  assign line        = place + ahead;
+  assign written     = word_valid && mem_ready_i && (second_q || !place_two);  // colours, or an AOV
   assign idle_o      = ready_o && !flying_q[0] && !tag_valid;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) second_q <= 1'b0;
     else if (mem_valid_o && mem_ready_i) second_q <= !second_q && place_two;
+  end
+
+  // --- AOVs ---------------------------------------------------------------------------------------------------------
+  if (pipegs_pkg::HasAovs) begin : gen_aovs
+    localparam int unsigned TW    = pipegs_pkg::TW;
+    localparam int unsigned KeptW = AovsW - Lanes * pipegs_pkg::BestW + (pipegs_pkg::AovCoverage != 0 ? 16 * Lanes : 0);
+    logic [KeptW-1:0]  kept_in, kept;
+    logic [Kinds-1:0]  turn_q, later, following;  // turn: whose, none: the colours'
+    logic [LinesW-1:0] aov;
+    logic              kept_valid, kept_ready;
+    logic [$clog2(Depth+1)-1:0] kept_words;
+    ru_aov_lines u_lines (
+      .t_i(word_i[Lanes*3*pipegs_pkg::RgbW +: Lanes*TW]),
+      .aovs_i,
+      .kept_o(kept_in),
+      .kept_i(kept),
+      .which_i(turn_q),
+      .lines_o(aov)
+    );
+    pipegs_fifo #(.DataW(KeptW), .Depth(Depth)) u_kept (
+      .clk_i,
+      .rst_ni,
+      .in_valid_i(flying_q[2]),
+      .in_ready_o(kept_ready),
+      .in_i(kept_in),
+      .out_valid_o(kept_valid),
+      .out_ready_i(pop),
+      .out_o(kept),
+      .count_o(kept_words)
+    );
+    assign later = wanted_aovs_i & (turn_q == '0 ? '1 : ~(turn_q | (turn_q - 1'b1)));
+    assign following = later & (~later + 1'b1);
+    always_comb begin
+      ahead = '0;
+      for (int unsigned i = 0; i < Kinds; i += 1) begin
+        if (turn_q[i]) ahead |= ahead_i[i*AddressW +: AddressW];
+      end
+    end
+    assign shown_word = turn_q == '0 ? word : aov;
+    assign pop        = written && following == '0;
+    always_ff @(posedge clk_i or negedge rst_ni) begin
+      if (!rst_ni) turn_q <= '0;
+      else if (written) turn_q <= following;
+    end
+    logic unused_kept;
+    assign unused_kept = &{1'b0, kept_valid, kept_ready, kept_words};
+  end else begin : gen_colors
+    assign ahead      = '0;
+    assign shown_word = word;
+    assign pop        = written;
+    logic unused_aovs;
+    assign unused_aovs = &{1'b0, aovs_i, wanted_aovs_i, ahead_i};
   end
 
   logic unused_counts;

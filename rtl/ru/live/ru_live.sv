@@ -20,8 +20,11 @@ module ru_live #(
   localparam int unsigned AddrW     = $clog2(Words),
   localparam int unsigned Slots     = Regions / Units,
   localparam int unsigned SideW     = $clog2(pipegs_pkg::Window) + 1,
-  localparam int unsigned TapIndexW = pipegs_pkg::TapIndexW,
-  localparam int unsigned RegionW   = pipegs_pkg::RegionW
+  localparam int unsigned ShownIndexW = pipegs_pkg::ShownIndexW,
+  localparam int unsigned RegionW   = pipegs_pkg::RegionW,
+  localparam int unsigned RangeW    = pipegs_pkg::ExpW,
+  localparam int unsigned Kinds     = pipegs_pkg::AovKinds,
+  localparam int unsigned AddressW  = pipegs_pkg::AddressW
 ) (
   input  logic                              clk_i,
   input  logic                              rst_ni,
@@ -44,6 +47,9 @@ module ru_live #(
   output logic                              at_end_o,   // the same of this one
   output logic [Slots-1:0]                  wanted_o,
 
+  input  logic [RangeW-1:0]                 range_i,    // of depths, for AOVs: 2^(range + 1) world units
+  input  logic [Kinds-1:0]                  wanted_aovs_i,  // AOVs that the frame writes
+  input  logic [Kinds*AddressW-1:0]         ahead_i,    // how many lines they lie behind the pixels
   input  logic                              raster_i,   // pixels in raster order, else by windows
   input  logic [pipegs_pkg::StrideW-1:0]    stride_i,   // lines from row to row, in raster order
   input  logic [pipegs_pkg::AddressW-1:0]   line_i,     // first one of the window's pixels
@@ -60,7 +66,7 @@ module ru_live #(
   output logic                              idle_o,     // nothing inside, all pixels written
 
   output logic [Groups-1:0]                 tap_line_valid_o,
-  output logic [Groups*TapIndexW-1:0]       tap_line_index_o,
+  output logic [Groups*ShownIndexW-1:0]       tap_line_index_o,
   output logic [Groups*RegionW-1:0]         tap_line_region_o,
   output logic [Groups*2-1:0]               tap_line_quarter_o,
   output logic [Groups*pipegs_pkg::TapLineW-1:0] tap_line_o,
@@ -73,10 +79,12 @@ module ru_live #(
   localparam int unsigned PartSide = pipegs_pkg::PartRegionsX;
   localparam int unsigned PartsX   = pipegs_pkg::PartsX;
   localparam int unsigned MaskW    = pipegs_pkg::MaskW;  // regions of a part
-  localparam int unsigned ColorsW  = 3 * pipegs_pkg::ColorW;
+  localparam int unsigned ColorsW  = pipegs_pkg::RuColorsW;
   localparam int unsigned TW       = pipegs_pkg::TW;
   localparam int unsigned PixelsW  = 3 * pipegs_pkg::RgbW;
   localparam int unsigned BankW    = WordW / Groups;
+  localparam int unsigned AovsW    = pipegs_pkg::HasAovs ? Lanes / Groups * pipegs_pkg::AovBits : 1;  // of a bank
+  localparam int unsigned StoredW  = pipegs_pkg::HasAovs ? AovsW + BankW : BankW;
   localparam int unsigned PairW    = 8 * pipegs_pkg::ExponentBits;
   localparam int unsigned Side     = pipegs_pkg::Window / 2;  // quads
 
@@ -148,7 +156,7 @@ module ru_live #(
   pairs_t                       pairs;
   logic                         half;
   logic [RegionW-1:0]           half_region;
-  logic [TapIndexW-1:0]         half_index;
+  logic [ShownIndexW-1:0]         half_index;
 
   logic [Slots-1:0]             held;
   logic [Regions-1:0]           wants;
@@ -162,6 +170,7 @@ module ru_live #(
     .hold_i(clear_q),
     .held_i(held_regions),
     .wants_o(wants),
+    .range_i,
     .in_valid_i,
     .in_ready_o,
     .in_i,
@@ -208,6 +217,7 @@ module ru_live #(
     logic [Lanes-1:0][PixelsW-1:0] rgb;
   } row_t;
   row_t             row;
+  logic [Groups*AovsW-1:0] row_aovs;  // of each pixel
   logic [2:0]       job_q, odd_q;  // jobs of one, two, three cycles ago, and their rows of quads
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) job_q <= '0;
@@ -239,6 +249,9 @@ module ru_live #(
     .job_o(job),
     .job_address_o(job_address),
     .word_i(row),
+    .aovs_i(row_aovs),
+    .wanted_aovs_i,
+    .ahead_i,
     .mem_valid_o(store_valid_o),
     .mem_ready_i(store_ready_i),
     .mem_address_o(store_address_o),
@@ -248,10 +261,10 @@ module ru_live #(
   );
 
   // --- quads ---------------------------------------------------------------------------------------------------------
-  typedef struct packed {logic [Groups-1:0][BankW-1:0] of;} banks_t;
+  typedef struct packed {logic [Groups-1:0][StoredW-1:0] of;} banks_t;
   banks_t banks, written;  // what each bank shows, and is given
   typedef struct packed {
-    logic [Groups-1:0][TapIndexW-1:0]            index;
+    logic [Groups-1:0][ShownIndexW-1:0]            index;
     logic [Groups-1:0][RegionW-1:0]              quad_region, word_region;
     logic [Groups-1:0][1:0]                      quad_row, word_row;
     logic [Groups-1:0][pipegs_pkg::TapLineW-1:0] quad;
@@ -262,7 +275,9 @@ module ru_live #(
   for (genvar g = 0; g < Groups; g += 1) begin : gen_group
     logic             read, write;
     logic [AddrW-1:0] raddr, waddr;
-    logic [BankW-1:0] rdata, wdata;
+    logic [BankW-1:0]   wdata;
+    logic [AovsW-1:0]   raovs, waovs;
+    logic [StoredW-1:0] rdata, stored;
 
     ru_quads #(.Group(g)) u_quads (
       .clk_i,
@@ -285,10 +300,12 @@ module ru_live #(
       .stopped_o(words.stopped[g]),
       .read_o(read),
       .raddr_o(raddr),
-      .rdata_i(rdata),
+      .rdata_i(rdata[BankW-1:0]),
       .write_o(write),
       .waddr_o(waddr),
       .wdata_o(wdata),
+      .raovs_i(raovs),
+      .waovs_o(waovs),
       .issue_o(group_issue[g]),
       .busy_o(group_busy[g]),
       .tap_quad_valid_o(tap_line_valid_o[g]),
@@ -300,13 +317,22 @@ module ru_live #(
       .tap_word_region_o(taps.word_region[g]),
       .tap_word_row_o(taps.word_row[g])
     );
-    assign written.of[g] = wdata;
+    assign stored[BankW-1:0] = wdata;
+    if (pipegs_pkg::HasAovs) begin : gen_aovs
+      assign raovs                 = rdata[StoredW-1:BankW];
+      assign stored[StoredW-1:BankW] = waovs;
+    end else begin : gen_no_aovs
+      assign raovs = '0;
+      logic unused_aovs;
+      assign unused_aovs = &{1'b0, waovs};
+    end
+    assign written.of[g] = stored;
 
-    pipegs_sram #(.DataW(BankW), .Depth(Words)) u_pixels (
+    pipegs_sram #(.DataW(StoredW), .Depth(Words)) u_pixels (
       .clk_i,
       .write_i(write),
       .waddr_i(waddr),
-      .wdata_i(wdata),
+      .wdata_i(stored),
       .read_i(read),
       .raddr_i(raddr),
       .rdata_o(rdata)
@@ -318,11 +344,18 @@ module ru_live #(
   // is kept from ru_drain, whose arithmetic would switch with it.
   for (genvar i = 0; i < Lanes; i += 1) begin : gen_pixel
     localparam int unsigned Even = i % 8 / 2, Odd = (Even + 2) % 4, Pixel = i / 8 * 2 + i % 2;
-    logic [BankW-1:0] bank;
-    assign bank = {BankW{job_q[2]}} & (odd_q[2] ? banks.of[Odd] : banks.of[Even]);
+    logic [StoredW-1:0] bank;
+    assign bank = {StoredW{job_q[2]}} & (odd_q[2] ? banks.of[Odd] : banks.of[Even]);
     assign row.rgb[i]  = bank[Pixel*PixelsW +: PixelsW];
     assign row.t[i]    = bank[4*PixelsW+Pixel*TW +: TW];
     assign row.done[i] = bank[4*(PixelsW+TW)+Pixel];
+    if (pipegs_pkg::HasAovs) begin : gen_aovs
+      localparam int unsigned AovW = pipegs_pkg::AovBits;
+      assign row_aovs[i*AovW +: AovW] = bank[BankW+Pixel*AovW +: AovW];
+    end
+  end
+  if (!pipegs_pkg::HasAovs) begin : gen_no_aovs
+    assign row_aovs = '0;
   end
 
   assign issue_o = group_issue != '0;

@@ -16,7 +16,7 @@
 module ru_power #(
   localparam int unsigned Groups    = pipegs_pkg::RuGroups,
   localparam int unsigned Slots     = pipegs_pkg::Regions / pipegs_pkg::Units,
-  localparam int unsigned ColorsW   = 3 * pipegs_pkg::ColorW,
+  localparam int unsigned ColorsW   = pipegs_pkg::RuColorsW,
   localparam int unsigned ExponentW = pipegs_pkg::ExponentBits,
   localparam int unsigned PairW     = 8 * ExponentW  // of two quads
 ) (
@@ -36,7 +36,7 @@ module ru_power #(
   output logic                             out_half_o,
   output logic [pipegs_pkg::RegionW-1:0]   out_region_o,
   output logic [ColorsW-1:0]               out_color_o,
-  output logic [pipegs_pkg::TapIndexW-1:0] out_index_o,
+  output logic [pipegs_pkg::ShownIndexW-1:0] out_index_o,
 
   output logic                             busy_o
 );
@@ -45,11 +45,11 @@ module ru_power #(
   localparam int unsigned GradientW = pipegs_pkg::GradientW;
   localparam int unsigned CurveW    = pipegs_pkg::CurveW;
   localparam int unsigned RegionW   = pipegs_pkg::RegionW;
-  localparam int unsigned TapIndexW = pipegs_pkg::TapIndexW;
+  localparam int unsigned ShownIndexW = pipegs_pkg::ShownIndexW;
   localparam int unsigned BendW     = CurveW + 6;  // x (x - 1) curve, x (x - 1) at most 42
 
   typedef struct packed {
-    logic [TapIndexW-1:0] index;
+    logic [ShownIndexW-1:0] index;
     logic [RegionW-1:0]   region;
     logic [ColorsW-1:0]   color;
   } tag_t;

@@ -17,10 +17,11 @@ module ru_quads #(
   localparam int unsigned Words     = pipegs_pkg::Regions / pipegs_pkg::Units * 4,
   localparam int unsigned AddrW     = $clog2(Words),
   localparam int unsigned WordW     = Lanes * (pipegs_pkg::TW + 3 * pipegs_pkg::RgbW + 1),
-  localparam int unsigned ColorsW   = 3 * pipegs_pkg::ColorW,
+  localparam int unsigned ColorsW   = pipegs_pkg::RuColorsW,
   localparam int unsigned ExponentW = pipegs_pkg::ExponentBits,
   localparam int unsigned PairW     = 8 * ExponentW,
-  localparam int unsigned SideW     = $clog2(pipegs_pkg::Window) + 1
+  localparam int unsigned SideW     = $clog2(pipegs_pkg::Window) + 1,
+  localparam int unsigned AovsW     = pipegs_pkg::HasAovs ? Lanes * pipegs_pkg::AovBits : 1
 ) (
   input  logic                             clk_i,
   input  logic                             rst_ni,
@@ -33,7 +34,7 @@ module ru_quads #(
   input  logic                             in_half_i,
   input  logic [pipegs_pkg::RegionW-1:0]   in_region_i,
   input  logic [ColorsW-1:0]               in_color_i,
-  input  logic [pipegs_pkg::TapIndexW-1:0] in_index_i,
+  input  logic [pipegs_pkg::ShownIndexW-1:0] in_index_i,
 
   input  logic                             drain_i,      // a finished word is read, and cleared
   input  logic [AddrW-1:0]                 drain_address_i,
@@ -50,12 +51,14 @@ module ru_quads #(
   output logic                             write_o,
   output logic [AddrW-1:0]                 waddr_o,
   output logic [WordW-1:0]                 wdata_o,
+  input  logic [AovsW-1:0]                 raovs_i,    // of the same word, for AOVs
+  output logic [AovsW-1:0]                 waovs_o,
 
   output logic                             issue_o,    // a quad starts
   output logic                             busy_o,     // something is inside
 
   output logic                             tap_quad_valid_o,  // a quad's codes are known
-  output logic [pipegs_pkg::TapIndexW-1:0] tap_quad_index_o,
+  output logic [pipegs_pkg::ShownIndexW-1:0] tap_quad_index_o,
   output logic [pipegs_pkg::RegionW-1:0]   tap_quad_region_o,
   output logic [1:0]                       tap_quad_row_o,
   output logic [Lanes*pipegs_pkg::AlphaW-1:0] tap_quad_o,
@@ -69,11 +72,13 @@ module ru_quads #(
   localparam int unsigned AlphaW    = pipegs_pkg::AlphaW;
   localparam int unsigned ColorW    = pipegs_pkg::ColorW;
   localparam int unsigned RegionW   = pipegs_pkg::RegionW;
-  localparam int unsigned TapIndexW = pipegs_pkg::TapIndexW;
+  localparam int unsigned IndexW    = pipegs_pkg::ShownIndexW;
+  localparam int unsigned DepthW    = pipegs_pkg::HasDepths ? pipegs_pkg::LinearW : 1;
+  localparam int unsigned AovW      = pipegs_pkg::HasAovs ? pipegs_pkg::AovBits : 1;
   localparam int unsigned PlaceW    = RegionW / 2;
   localparam int unsigned PixelsW   = 3 * RgbW;
   localparam int unsigned Depth     = pipegs_pkg::RuHalves;
-  localparam int unsigned QueuedW   = 2 + PairW + 1 + RegionW + ColorsW + TapIndexW;
+  localparam int unsigned QueuedW   = 2 + PairW + 1 + RegionW + ColorsW + IndexW;
   localparam logic [TW-1:0] One = TW'(1) << (TW - 1);
   typedef struct packed {  // of a quad
     logic [Lanes-1:0]              done;
@@ -84,6 +89,7 @@ module ru_quads #(
   typedef struct packed {logic [Lanes-1:0][ExponentW-1:0] of;} exponents_t;
   typedef struct packed {logic [Lanes-1:0][AlphaW-1:0] of;} codes_t;
   typedef struct packed {logic [Lanes-1:0][PixelsW-1:0] of;} pixels_t;
+  typedef struct packed {logic [Lanes-1:0][AovW-1:0] of;} aovs_t;
   localparam logic [WordW-1:0] Clear = {Lanes'(0), {Lanes{One}}, (Lanes*PixelsW)'(0)};
 
   // --- the queue, and the quad that is next --------------------------------------------------------------------------
@@ -92,7 +98,7 @@ module ru_quads #(
   logic [PairW-1:0]           pair;
   logic [RegionW-1:0]         region, slot;
   logic [ColorsW-1:0]         color;
-  logic [TapIndexW-1:0]       index;
+  logic [IndexW-1:0]       index;
   logic [$clog2(Depth+1)-1:0] count;
   logic [AddrW-1:0]           address;
   logic                       conflict;
@@ -130,8 +136,9 @@ module ru_quads #(
   logic [RegionW-1:0]        region_1_q, region_2_q, region_3_q, region_4_q, region_5_q;
   logic [1:0]                row_1_q, row_2_q, row_3_q, row_4_q, row_5_q;
   logic [AddrW-1:0]          address_1_q, address_2_q, address_3_q, address_4_q, address_5_q;
-  color_t                    color_1_q, color_2_q, color_3_q, color_4_q;
-  logic [TapIndexW-1:0]      index_1_q, index_2_q;
+  logic [ColorsW-1:0]        color_1_q, color_2_q, color_3_q, color_4_q;
+  color_t                    color_4;
+  logic [IndexW-1:0]      index_1_q, index_2_q;
   exponents_t                exponents_1_q;
   codes_t                    codes, codes_3_q;
   logic [Lanes-1:0]          outside, outside_3_q;
@@ -224,7 +231,39 @@ module ru_quads #(
   assign raddr_o = address_2_q;
 
   // --- the lanes -----------------------------------------------------------------------------------------------------
-  assign shown = rdata_i;
+  assign shown   = rdata_i;
+  assign color_4 = color_4_q[3*ColorW-1:0];
+  aovs_t             aovs_5, aovs;  // of the word that goes back
+  logic [DepthW-1:0] depth_4, depth_5;
+  logic [IndexW-1:0] index_5;
+  if (pipegs_pkg::HasDepths) begin : gen_depth
+    logic [DepthW-1:0] depth_5_q;
+    always_ff @(posedge clk_i) if (valid_4_q) depth_5_q <= depth_4;
+    assign depth_4 = color_4_q[3*ColorW +: DepthW];
+    assign depth_5 = depth_5_q;
+  end else begin : gen_no_depth
+    assign {depth_4, depth_5} = '0;
+  end
+  if (pipegs_pkg::HasAovs) begin : gen_aovs
+    localparam int unsigned AboveW = pipegs_pkg::BestIndexW;
+    localparam logic [AovW-1:0] Fresh = AboveW == 0 ? '0 : ~(AovW'('1) >> AboveW);  // no Gaussian yet
+    aovs_t             aovs_4_q, aovs_5_q;
+    logic [IndexW-1:0] index_3_q, index_4_q, index_5_q;
+    always_ff @(posedge clk_i) begin
+      if (valid_2_q) index_3_q <= index_2_q;
+      if (valid_3_q) {index_4_q, aovs_4_q} <= {index_3_q, raovs_i};
+      if (valid_4_q) {index_5_q, aovs_5_q} <= {index_4_q, aovs_4_q};
+    end
+    assign index_5 = index_5_q;
+    assign aovs_5  = aovs_5_q;
+    assign waovs_o = drain_5_q ? {Lanes{Fresh}} : aovs;
+  end else begin : gen_no_aovs
+    assign index_5 = '0;
+    assign aovs_5  = '0;
+    assign waovs_o = '0;
+    logic unused_aovs;
+    assign unused_aovs = &{1'b0, raovs_i, aovs};
+  end
   for (genvar i = 0; i < Lanes; i += 1) begin : gen_lane
     pu_code u_code (
       .clk_i,
@@ -240,13 +279,18 @@ module ru_quads #(
       .t_i       (shown.t[i]),
       .done_i    (outside_3_q[i] || shown.done[i]),
       .enable_2_i(valid_4_q),
-      .red_i     (color_4_q.red),
-      .green_i   (color_4_q.green),
-      .blue_i    (color_4_q.blue),
+      .red_i     (color_4.red),
+      .green_i   (color_4.green),
+      .blue_i    (color_4.blue),
       .rgb_i     (rgb_5_q.of[i]),
       .rgb_o     (blended.rgb[i]),
       .t_o       (blended.t[i]),
-      .done_o    (blended.done[i])
+      .done_o    (blended.done[i]),
+      .depth_1_i (depth_4),
+      .depth_2_i (depth_5),
+      .index_2_i (index_5),
+      .aovs_i    (aovs_5.of[i]),
+      .aovs_o    (aovs.of[i])
     );
   end
   assign write_o = valid_5_q;

@@ -14,7 +14,8 @@
 
 module ru_regions #(
   localparam int unsigned Regions = pipegs_pkg::Regions,
-  localparam int unsigned ColorsW = 3 * pipegs_pkg::ColorW
+  localparam int unsigned ColorsW = pipegs_pkg::RuColorsW,
+  localparam int unsigned RangeW  = pipegs_pkg::ExpW
 ) (
   input  logic                         clk_i,
   input  logic                         rst_ni,
@@ -22,6 +23,7 @@ module ru_regions #(
   input  logic                         hold_i,        // they are not known in this cycle
   input  logic [Regions-1:0]           held_i,        // regions that wait
   output logic [Regions-1:0]           wants_o,       // regions that the present splat has left, of any RU
+  input  logic [RangeW-1:0]            range_i,       // of depths, for AOVs: 2^(range + 1) world units
 
   input  logic                         in_valid_i,
   output logic                         in_ready_o,
@@ -30,7 +32,7 @@ module ru_regions #(
   output logic                         region_valid_o,
   input  logic                         region_ready_i,
   output pipegs_pkg::region_t          region_o,
-  output logic [ColorsW-1:0]           color_o,       // {blue, green, red}
+  output logic [ColorsW-1:0]           color_o,       // {depth, blue, green, red}
 
   output logic                         end_valid_o,
   output logic [pipegs_pkg::KindW-1:0] end_kind_o,
@@ -43,7 +45,7 @@ module ru_regions #(
   localparam int unsigned MaskW     = pipegs_pkg::MaskW;
   localparam int unsigned IndexW    = pipegs_pkg::MaskIndexW;
   localparam int unsigned HalfW     = IndexW / 2;       // bits of a column or row of regions in the part
-  localparam int unsigned TagW      = pipegs_pkg::TapIndexW + RegionW + ColorsW;
+  localparam int unsigned TagW      = pipegs_pkg::ShownIndexW + RegionW + ColorsW;
   localparam int unsigned AW        = pipegs_pkg::AW;
   localparam int unsigned BcW       = pipegs_pkg::BcW;
   localparam int unsigned DefW      = pipegs_pkg::DefW;
@@ -123,6 +125,18 @@ module ru_regions #(
   logic signed [BcW-1:0]  b_1_q, c_1_q;
   logic signed [DefW-1:0] d_1_q, e_1_q, f_1_q;
   logic [TagW-1:0]        tag_1_q, tag_2_q, tag_3_q, tag_4_q;  // {index, region, colour}
+  logic [ColorsW-1:0]     color;
+  assign color[3*pipegs_pkg::ColorW-1:0] = {splat_q.blue, splat_q.green, splat_q.red};
+  if (pipegs_pkg::HasDepths) begin : gen_depth
+    ru_linear u_linear (
+      .depth_i(splat_q.depth),
+      .range_i,
+      .linear_o(color[ColorsW-1:3*pipegs_pkg::ColorW])
+    );
+  end else begin : gen_no_depth
+    logic unused_range;
+    assign unused_range = &{1'b0, range_i};
+  end
   always_ff @(posedge clk_i) begin
     if (pick) begin
       a_1_q   <= splat_q.a;
@@ -131,7 +145,7 @@ module ru_regions #(
       d_1_q   <= splat_q.d;
       e_1_q   <= splat_q.e;
       f_1_q   <= splat_q.f;
-      tag_1_q <= {splat_q.index, region, splat_q.blue, splat_q.green, splat_q.red};
+      tag_1_q <= {splat_q.index, region, color};
     end
   end
 

@@ -30,7 +30,7 @@ module su_merge (
   localparam int unsigned KindW = pipegs_pkg::KindW;
   localparam int unsigned DepthW = pipegs_pkg::DepthW;
   localparam int unsigned NameW = pipegs_pkg::PartW + pipegs_pkg::SplatIndexW;  // {index, part}
-  localparam int unsigned TapNameW = pipegs_pkg::PartW + pipegs_pkg::TapIndexW;
+  localparam int unsigned TapNameW = pipegs_pkg::PartW + pipegs_pkg::ShownIndexW;
   localparam int unsigned KeyW = pipegs_pkg::KeyW;
   localparam int unsigned HeadW = KeyW + 1;
 
@@ -90,7 +90,7 @@ module su_merge (
   // there for the taps.
   assign out_d = pipegs_pkg::SortedBits'({winner_unit, winner_bits[pipegs_pkg::SplatBits-1:KindW+DepthW+NameW],
                                           winner_bits[KindW+DepthW +: TapNameW],
-                                          winner_bits[KindW+pipegs_pkg::TapDepthW-1:KindW], winner_bits[KindW-1:0]});
+                                          winner_bits[KindW+pipegs_pkg::ShownDepthW-1:KindW], winner_bits[KindW-1:0]});
 
   assign out_valid_o = out_valid_q;
   assign out_o       = out_q;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // ru_regions_test: rtl/ru/live/ru_regions.sv against cpp_model/pu/rows/pu_region.hpp, over splats, ends and windows.
 #include "cpp_model/pu/rows/pu_region.hpp"
+#include "cpp_model/ru/ru_aovs.hpp"
 #include "cpp_model/ru/ru_walk.hpp"
 #include "verif/ru/live/random_splat.hpp"
 #include "verif/ru/region_ports.hpp"
@@ -15,8 +16,11 @@ const Config kConfig = test_config();
 const uint64_t kAll = ~uint64_t{0} >> (64 - kConfig.mask_w());
 constexpr uint64_t kNever = ~uint64_t{0}, kLatency = 4;  // cycles from the choice of a region to the output
 
-uint64_t color_of(const Sorted& splat) {
-  return (((splat.blue << kConfig.color_w) | splat.green) << kConfig.color_w) | splat.red;
+// Its colours and, where AOVs want it, its depth.
+uint64_t color_of(const Sorted& splat, uint64_t range) {
+  const uint64_t depth = kConfig.has_depths() ? ru_linear(kConfig, splat.depth, range) : 0;
+  return (((((depth << kConfig.color_w) | splat.blue) << kConfig.color_w) | splat.green) << kConfig.color_w) |
+         splat.red;
 }
 
 // Gives splats and ends, closes regions, hands them over, takes what comes out: in a window regions only close and are
@@ -29,6 +33,7 @@ class Around : public Endpoint {
         out_(bench, kConfig, bench.dut.region_valid_o, bench.dut.region_ready_i, bench.dut.region_o, out_pace),
         out_pace_(out_pace),
         closing_(closing) {
+    bench.dut.range_i = bench.rng() % 64;
     bench.dut.hold_i = 0;
     bench.dut.end_ready_i = 0;
     bench.add(*this);
@@ -103,7 +108,7 @@ class Around : public Endpoint {
     expected.address = expected.ext = 0;
     expected.region = found.region;
     ASSERT_EQ(first_difference(kConfig, expected, found), "") << "cycle " << bench_.cycle;
-    ASSERT_EQ(bench_.dut.color_o, color_of(splat)) << "cycle " << bench_.cycle;
+    ASSERT_EQ(bench_.dut.color_o, color_of(splat, bench_.dut.range_i)) << "cycle " << bench_.cycle;
   }
   void take_end() {
     ASSERT_FALSE(bench_.dut.region_valid_o) << "an end is shown before all before it has left";
