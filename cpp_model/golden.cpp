@@ -8,6 +8,7 @@
 #include <mutex>
 #include <numeric>
 
+#include "cpp_model/aov_image.hpp"
 #include "cpp_model/dopu/dopu.hpp"
 #include "cpp_model/dopu/nearest/dopu_nearest.hpp"
 #include "cpp_model/dopu/dopu_walks.hpp"
@@ -67,14 +68,6 @@ Splat golden_splat(const Config& config, const Colored& colored, uint64_t part, 
               .blue = colored.blue};
   if (!config.caches_alphas()) splat.a = t.a, splat.b = t.b, splat.c = t.c, splat.d = t.d, splat.e = t.e, splat.f = t.f;
   return splat;
-}
-
-// View depth in scene units that a depth key stands for.
-double key_depth(const PackedScene& packed, uint64_t key) {
-  const int mantissa_bits = packed.config.depth_w - 6;
-  const double mantissa =
-      1 + std::ldexp(static_cast<double>(key & ((uint64_t{1} << mantissa_bits) - 1)), -mantissa_bits);
-  return std::ldexp(mantissa, static_cast<int>(key >> mantissa_bits) + packed.scene_exponent);
 }
 
 // One Gaussian up to its conic; nothing when the cull drops it.
@@ -204,24 +197,6 @@ glm::dvec3 shown(const Config& config, const PixelState& pixel) {
 }
 
 }  // namespace
-
-Work& Work::operator+=(const Work& o) {
-  fetched += o.fetched, visible += o.visible, records += o.records, regions += o.regions;
-  open_regions += o.open_regions, quads += o.quads, alphas += o.alphas;
-  blended += o.blended, keys += o.keys, chunks += o.chunks, layers += o.layers, windows += o.windows;
-  return *this;
-}
-
-Saturations& Saturations::operator+=(const Saturations& o) {
-  mean += o.mean, color += o.color, accumulated += o.accumulated, dead += o.dead;
-  return *this;
-}
-
-Called& Called::operator+=(const Called& o) {
-  near += o.near, guard += o.guard, stopped += o.stopped, ties += o.ties, layers = std::max(layers, o.layers),
-                                                                          bucket = std::max(bucket, o.bucket);
-  return *this;
-}
 
 GoldenConic golden_conic(const Config& config, const Frame& frame, const Visible& visible, ProjectCounts* counts) {
   const auto [projected, center, payload] = pu_project(config, frame, visible, counts);
@@ -444,6 +419,7 @@ GoldenFrame golden_frame(const GoldenInput& input, const GoldenOptions& options)
     if (options.progress) options.progress(static_cast<double>(finished) / static_cast<double>(count));
   });
 
+  show_aovs(*input.packed, frame, result.aovs, result.image);
   result.rank = ranks(*input.packed, order);
   return result;
 }

@@ -134,7 +134,7 @@ void golden_codes(const Config& config, const RowJob& job, int bit, uint16_t cod
 struct GoldenFrame {
   Image image;
   std::vector<uint64_t> pixels;  // as in external memory by windows (ru_resolve), row by row of the image
-  std::array<std::vector<uint32_t>, kAovs.size()> aovs;  // those that the frame wants, in the order of kAovs
+  AovPixels aovs;                // those that the frame wants
   std::vector<uint8_t> stopped;  // 1: a Gaussian that would have brought T below the stop ended the pixel
   Work work;
   Saturations saturations;

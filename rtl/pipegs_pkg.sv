@@ -78,6 +78,13 @@ package pipegs_pkg;
   // pixel in the frame in memory; 64: T u1.15, blue, green, red u2.14, red lowest; 32: A2B10G10R10, a colour c is
   // round(1023 c)
   localparam int unsigned PixelW         = 32;
+  localparam int unsigned AovCoverage    = 0;  // 1: transmittance, u1.15, and above it the number of Gaussians blended
+  // 1: expected depth, the sum of weight * depth, u0.32 of the frame's range
+  localparam int unsigned AovDepth       = 0;
+  // 1: median depth, that of the Gaussian with which T falls below one half; 0: none does
+  localparam int unsigned AovMedian      = 0;
+  // 1: index of the Gaussian that weighs most, the nearest of equal ones; all ones: none
+  localparam int unsigned AovIndex       = 0;
   localparam int unsigned AlphaLines     = 1024;  // alpha store of one unit: lines of one region's 64 alphas
   // layers that live in an alpha store at a time: with more than a window has, the PUs fill a heavy one while the RUs
   // blend that of the window before
@@ -285,11 +292,28 @@ package pipegs_pkg;
   localparam int unsigned LateBcW        = 37;  // coefficients B and C in a splat; absent unless late
   localparam int unsigned LateDefW       = 28;  // coefficients D, E and F in a splat; absent unless late
   localparam int unsigned MarkW          = 24;  // watermark of a chunk; absent unless Order is 2
-  // index of a Gaussian on its way to the RUs: for the sort and for the taps; else one bit is left
+  // AOVs that the machine has, one bit each: coverage, depth, median, index
+  localparam int unsigned AovsBuilt      = 0;
+  localparam bit HasAovs                 = 1'b0;  // pixels may have AOVs
+  localparam bit HasDepths               = 1'b0;  // some of depths
+  // index of a Gaussian on its way to the RUs: for the sort, for the taps and for an AOV; else one bit is left
   localparam int unsigned SplatIndexW    = 24;
-  // index of a Gaussian where only the taps read it; one bit is left without them
-  localparam int unsigned TapIndexW      = 1;
-  localparam int unsigned TapDepthW      = 1;  // depth key where only the taps read it; one bit is left without them
+  // index of a Gaussian behind the sort, for the taps and for an AOV; else one bit is left
+  localparam int unsigned ShownIndexW    = 1;
+  // depth key behind the sort, for the taps and for AOVs; else one bit is left
+  localparam int unsigned ShownDepthW    = 1;
+  localparam int unsigned LinearW        = 0;  // depth in an RU, u0.20 of the frame's range; absent likewise
+  // red, green and blue of a splat, and its depth for AOVs: what an RU blends
+  localparam int unsigned RuColorsW      = 36;
+  localparam int unsigned RangeW         = 0;  // exponent of that range; absent likewise
+  localparam int unsigned AovKinds       = 4;  // AOVs that there may be: coverage, depth, median, index
+  localparam int unsigned AovsW          = 0;  // one bit for each; absent without AOVs
+  localparam int unsigned AovAddressW    = 0;  // where they lie, lines of external memory; absent likewise
+  localparam int unsigned BlendedW       = 0;  // Gaussians blended into a pixel; stays at the most
+  localparam int unsigned ExpectedW      = 0;  // expected depth; absent unless aov_depth
+  localparam int unsigned MedianW        = 0;  // median depth; absent unless aov_median
+  localparam int unsigned BestW          = 0;  // weight of the Gaussian that weighs most, u1.(TW-1)
+  localparam int unsigned BestIndexW     = 0;  // and its index; absent unless aov_index
   localparam int unsigned LineW          = 640;  // alphas of one region, row by row, first pixel in the low bits
   // address of a line in the alpha store, or when ext is set {area, line} of the unit's overflow areas; with lists
   // {unit, line} of the area of all alphas
@@ -319,7 +343,8 @@ package pipegs_pkg;
   localparam int unsigned WritePorts     = 12;
   // memory ports: those that may write, PU geometry, PU colour of each unit, then DOPU
   localparam int unsigned MemoryPorts    = 21;
-  // sixteen pixels of T, red, green, blue, done: a word of the pixel buffer
+  localparam int unsigned AovBits        = 0;  // what an RU keeps of a pixel for its AOVs (pixel_aovs_t)
+  // sixteen pixels of T, red, green, blue, done, and for AOVs: a word of the pixel buffer
   localparam int unsigned PixelWordW     = 1088;
   localparam int unsigned TapLanes       = 4;  // lanes of taps of an RU: one for each group of lanes
   localparam int unsigned TapLineW       = 40;  // alphas that a lane of taps shows
@@ -1346,8 +1371,9 @@ package pipegs_pkg;
   } control_bus_timeout_t;
 
   // Registers that the configuration fixes: {offset of 16 bits, value of 32}.
-  localparam int unsigned ControlConstants = 15;
+  localparam int unsigned ControlConstants = 16;
   localparam logic [ControlConstants*48-1:0] ControlConstantTable = {
+    48'h00ac_00000000,  // CONFIG_AOVS
     48'h00a8_00000012,  // CONFIG_LESS
     48'h00a4_00040100,  // CONFIG_OVERFLOW
     48'h00a0_00ff4022,  // CONFIG_MEMORY
@@ -1359,9 +1385,9 @@ package pipegs_pkg;
     48'h0088_060c1012,  // CONFIG_GAUSSIAN
     48'h0084_10030e52,  // CONFIG_POINT
     48'h0080_10048004,  // CONFIG_COUNTS
-    48'h000c_2d310862,  // CONFIG_HASH
-    48'h0008_5f32e8a0,  // LAYOUT
-    48'h0004_00030001,  // VERSION
+    48'h000c_ba4723ab,  // CONFIG_HASH
+    48'h0008_360fd387,  // LAYOUT
+    48'h0004_00030002,  // VERSION
     48'h0000_47504950  // ID
   };
 
@@ -1376,7 +1402,7 @@ package pipegs_pkg;
   // offset of its low word (16 bits), lowest bit of its value in what is queued (16), width of the value (8),
   // bit of the slot at which it begins (8), 1 if it is signed (8)}.
   localparam int unsigned ControlShadowBits = 1605;
-  localparam int unsigned ControlSlots = 62;
+  localparam int unsigned ControlSlots = 66;
   localparam logic [ControlSlots*56-1:0] ControlSlotTable = {
     56'h0490_0639_0c_06_00,  // stride
     56'h0488_0617_22_06_00,  // base
@@ -1389,8 +1415,12 @@ package pipegs_pkg;
     56'h0410_054a_22_06_00,  // chunks
     56'h0408_0528_22_06_00,  // groups
     56'h0400_0506_22_06_00,  // cells
-    56'h0390_04ee_18_00_00,  // walk_most
-    56'h0388_04ee_00_00_00,  // lod
+    56'h03b0_04ee_18_00_00,  // walk_most
+    56'h03a8_04ee_00_00_00,  // lod
+    56'h03a0_04ee_00_06_00,  // raster.aovs.lines
+    56'h0398_04ee_00_06_00,  // raster.aovs.base
+    56'h0390_04ee_00_00_00,  // raster.aovs.range
+    56'h0388_04ee_00_00_00,  // raster.aovs.wanted
     56'h0380_04dc_12_00_00,  // raster.rest
     56'h0378_04d2_0a_00_00,  // raster.windows.last_y
     56'h0370_04c8_0a_00_00,  // raster.windows.last_x
@@ -1561,7 +1591,7 @@ package pipegs_pkg;
     logic [Units-1:0][TapLanes*TapLineW-1:0] alphas;
     logic [Units-1:0][TapLanes*2-1:0] alphas_quarter;
     logic [Units-1:0][TapLanes*RegionW-1:0] alphas_region;
-    logic [Units-1:0][TapLanes*TapIndexW-1:0] alphas_index;
+    logic [Units-1:0][TapLanes*ShownIndexW-1:0] alphas_index;
     logic [Units-1:0][TapLanes-1:0] alphas_valid;
   } raster_taps_t;
 

@@ -87,14 +87,12 @@ module pipegs_raster #(
   );
 
   if (pipegs_pkg::HasAovs) begin : gen_aovs
-    localparam logic [Kinds-1:0] Built = {pipegs_pkg::AovIndex != 0, pipegs_pkg::AovMedian != 0,
-                                          pipegs_pkg::AovDepth != 0, pipegs_pkg::AovCoverage != 0};
     always_comb begin
       logic [AddressW-1:0] line;
       line = raster_i.aovs.base - picture_i.base;
       for (int unsigned i = 0; i < Kinds; i += 1) begin
         ahead[i*AddressW +: AddressW] = line;
-        if (raster_i.aovs.wanted[i] && Built[i]) line += raster_i.aovs.lines;
+        if (raster_i.aovs.wanted[i] && pipegs_pkg::AovsBuilt[i]) line += raster_i.aovs.lines;
       end
     end
   end else begin : gen_no_aovs

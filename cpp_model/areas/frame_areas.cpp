@@ -11,7 +11,9 @@ uint64_t overflow_area(const Config& config, uint64_t slots, uint64_t windows) {
   return pipegs_overflow_size(&machine, slots, windows) / machine.line;
 }
 
-void move_tables(Tables& tables, uint64_t lines) {
+void move_frame(Frame& frame, uint64_t lines) {
+  Tables& tables = frame.tables;
+  if (frame.raster.aovs.lines != 0) frame.raster.aovs.base += lines;
   for (uint64_t* at : {&tables.cells, &tables.groups, &tables.chunks, &tables.gaussians, &tables.colors, &tables.pixels,
                        &tables.overflow})
     *at += lines;

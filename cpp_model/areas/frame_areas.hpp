@@ -19,7 +19,7 @@ Areas frame_areas(const Config& config, const PackedScene& scene, const Frame& f
 uint64_t overflow_area(const Config& config, uint64_t slots, uint64_t windows);
 
 // Everything that a frame names in memory lies so many lines further on.
-void move_tables(Tables& tables, uint64_t lines);
+void move_frame(Frame& frame, uint64_t lines);
 
 // The windows that a frame renders, and the overflow area as one record.
 uint64_t frame_windows(const Frame& frame);

@@ -261,13 +261,23 @@ uint64_t pipegs_overflow_size(const struct pipegs_configuration *config, uint64_
   return 2 * (units * share > windows * list ? units * share : windows * list) * config->line;
 }
 
+/* How many AOVs the machine has. */
+static uint64_t aovs_of(const struct pipegs_configuration *config) {
+  uint64_t count = 0;
+  uint32_t left = config->aovs;
+  for (; left != 0; left &= left - 1) ++count;
+  return count;
+}
+
 struct pipegs_memory pipegs_place(const struct pipegs_configuration *config, const struct pipegs_scene *scene,
                                   const struct pipegs_camera *camera, uint64_t image) {
   const uint64_t windows = (uint64_t)windows_along(config, camera->width) * windows_along(config, camera->height);
+  const uint64_t pixels = pipegs_pixels_size(config, camera);
   struct pipegs_memory memory;
   memory.scene = image;
   memory.pixels = image + scene->size;
-  memory.overflow = (memory.pixels + pipegs_pixels_size(config, camera) + PIPEGS_OVERFLOW_ALIGNMENT - 1) /
+  memory.aovs = memory.pixels + pixels;
+  memory.overflow = (memory.aovs + aovs_of(config) * pixels + PIPEGS_OVERFLOW_ALIGNMENT - 1) /
                     PIPEGS_OVERFLOW_ALIGNMENT * PIPEGS_OVERFLOW_ALIGNMENT;
   memory.overflow_size = pipegs_overflow_size(config, scene->slots, windows);
   return memory;
@@ -290,10 +300,28 @@ static bool lies(const struct pipegs_configuration *config, uint64_t address, ui
   return address % alignment == 0 && size % config->line == 0 && address < end && size <= end - address;
 }
 
+/* Octave of a distance, in world units, that no mean of the scene exceeds: the sum of those along the axes to the
+ * farther side of its grid, each a unit up. */
+static uint64_t farthest(const struct pipegs_configuration *config, const struct pipegs_scene *scene,
+                         const struct pipegs_frame *frame) {
+  const int64_t position[3] = {frame->camera_position_x, frame->camera_position_y, frame->camera_position_z};
+  uint64_t distance = 1, octave = 0;
+  int axis;
+  for (axis = 0; axis < 3; ++axis) {
+    const uint64_t scale = scene->grid_scale[axis] == 0 ? 1 : scene->grid_scale[axis];
+    const int64_t extent = (int64_t)(((uint64_t)config->grid << config->world_w) / scale) + 1;
+    const int64_t low = position[axis] - scene->grid_low[axis], high = scene->grid_low[axis] + extent - position[axis];
+    distance += (uint64_t)(low > high ? low : high);
+  }
+  while (distance >> octave > 1) ++octave;
+  return octave;
+}
+
 static enum pipegs_setup set_tables(const struct pipegs_configuration *config, const struct pipegs_scene *scene,
                                     const struct pipegs_memory *memory, uint64_t pixels, struct pipegs_job *job) {
   if (!lies(config, memory->scene, scene->size, config->line) || !lies(config, memory->pixels, pixels, config->line) ||
-      !lies(config, memory->overflow, memory->overflow_size, PIPEGS_OVERFLOW_ALIGNMENT)) {
+      !lies(config, memory->overflow, memory->overflow_size, PIPEGS_OVERFLOW_ALIGNMENT) ||
+      (config->aovs != 0 && !lies(config, memory->aovs, aovs_of(config) * pixels, config->line))) {
     return PIPEGS_SETUP_MEMORY;
   }
   job->frame.tables_cells = memory->scene + scene->cells;
@@ -338,6 +366,11 @@ enum pipegs_setup pipegs_setup_job(const struct pipegs_configuration *config, co
   frame->grid_scale_x = scene->grid_scale[0];
   frame->grid_scale_y = scene->grid_scale[1];
   frame->grid_scale_z = scene->grid_scale[2];
+  if (config->aovs != 0) {
+    frame->raster_aovs_range = farthest(config, scene, frame);
+    frame->raster_aovs_base = memory->aovs;
+    frame->raster_aovs_lines = pipegs_pixels_size(config, camera);
+  }
   frame->walk_most = config->order == 2 && config->parts > 1 ? PIPEGS_WALK_MOST : 0;
   return set_tables(config, scene, memory, pipegs_pixels_size(config, camera), job);
 }

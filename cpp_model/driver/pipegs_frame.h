@@ -57,6 +57,7 @@ struct pipegs_scene {
 struct pipegs_memory {
   uint64_t scene;    /* the image */
   uint64_t pixels;   /* the frame by windows, pipegs_pixels_size bytes */
+  uint64_t aovs;     /* one AOV behind the other, each as large; of a machine that has some */
   uint64_t overflow;      /* the overflow areas, a multiple of PIPEGS_OVERFLOW_ALIGNMENT */
   uint64_t overflow_size; /* a multiple of a line; area_full says that it was too small */
 };
@@ -106,12 +107,16 @@ uint64_t pipegs_pixels_size(const struct pipegs_configuration *config, const str
  * area_full. */
 uint64_t pipegs_overflow_size(const struct pipegs_configuration *config, uint64_t slots, uint64_t windows);
 
-/* The pixels behind the image, the overflow areas behind them, as large as a frame of all windows can need: what one
- * frame at a time takes. A caller with less memory makes overflow_size smaller. */
+/* The pixels behind the image, room for all AOVs of the machine behind them, then the overflow areas, as large as a
+ * frame of all windows can need: what one frame at a time takes. A caller with less memory makes overflow_size
+ * smaller. */
 struct pipegs_memory pipegs_place(const struct pipegs_configuration *config, const struct pipegs_scene *scene,
                                   const struct pipegs_camera *camera, uint64_t image);
 
-/* Fills frame and areas of `job`; the picture in raster order is the caller's. `windows` 0: all. */
+/* Fills frame and areas of `job`; the picture in raster order is the caller's. `windows` 0: all. No AOV is wanted: a
+ * caller sets bits of frame.raster_aovs_wanted. Where they lie and the range of their depths, which reaches behind the
+ * farthest corner of the scene's grid, are there; in raster order with a stride larger than it must be, frame.
+ * raster_aovs_lines (bytes) is to be raised to stride * height. */
 enum pipegs_setup pipegs_setup_job(const struct pipegs_configuration *config, const struct pipegs_scene *scene,
                                    const struct pipegs_camera *camera, const struct pipegs_windows *windows,
                                    const struct pipegs_memory *memory, struct pipegs_job *job);

@@ -18,11 +18,11 @@
 #define PIPEGS_VERSION_MINOR 0x0000ffffu /* goes up when something is added */
 #define PIPEGS_VERSION_MAJOR 0xffff0000u /* goes up when a driver has to change */
 #define PIPEGS_VERSION_MAJOR_SHIFT 16
-#define PIPEGS_VERSION_VALUE 0x00030001u
+#define PIPEGS_VERSION_VALUE 0x00030002u
 
 #define PIPEGS_LAYOUT 0x008u /* which table of registers this is */
 #define PIPEGS_LAYOUT_HASH 0xffffffffu /* FNV-1a of all names and places: the driver has the same */
-#define PIPEGS_LAYOUT_VALUE 0x5f32e8a0u
+#define PIPEGS_LAYOUT_VALUE 0x360fd387u
 
 #define PIPEGS_CONFIG_HASH 0x00cu /* which machine this is */
 #define PIPEGS_CONFIG_HASH_HASH 0xffffffffu /* FNV-1a of name=value; of every choice in config.def */
@@ -206,8 +206,11 @@
 #define PIPEGS_CONFIG_LESS_LOD_BITS 0x0000ff00u /* a step of the field lod is 2^-lod_bits octaves; 0: absent */
 #define PIPEGS_CONFIG_LESS_LOD_BITS_SHIFT 8
 
+#define PIPEGS_CONFIG_AOVS 0x0acu /* what a frame can write of its pixels beside their colours */
+#define PIPEGS_CONFIG_AOVS_AOVS 0x0000000fu /* one bit each, as in raster.aovs.wanted */
+
 #define PIPEGS_FRAME 0x200u /* parameters of the frame, each field of frame_t */
-#define PIPEGS_FRAME_SLOTS 51
+#define PIPEGS_FRAME_SLOTS 55
 #define PIPEGS_FRAME_CAMERA_POSITION_X 0x200u
 #define PIPEGS_FRAME_CAMERA_POSITION_Y 0x208u
 #define PIPEGS_FRAME_CAMERA_POSITION_Z 0x210u
@@ -257,8 +260,12 @@
 #define PIPEGS_FRAME_RASTER_WINDOWS_LAST_X 0x370u
 #define PIPEGS_FRAME_RASTER_WINDOWS_LAST_Y 0x378u
 #define PIPEGS_FRAME_RASTER_REST 0x380u
-#define PIPEGS_FRAME_LOD 0x388u
-#define PIPEGS_FRAME_WALK_MOST 0x390u
+#define PIPEGS_FRAME_RASTER_AOVS_WANTED 0x388u
+#define PIPEGS_FRAME_RASTER_AOVS_RANGE 0x390u
+#define PIPEGS_FRAME_RASTER_AOVS_BASE 0x398u
+#define PIPEGS_FRAME_RASTER_AOVS_LINES 0x3a0u
+#define PIPEGS_FRAME_LOD 0x3a8u
+#define PIPEGS_FRAME_WALK_MOST 0x3b0u
 
 #define PIPEGS_AREAS 0x400u /* sizes of what lies at the addresses of the frame */
 #define PIPEGS_AREAS_SLOTS 8
@@ -436,6 +443,10 @@ struct pipegs_frame {
   uint64_t raster_windows_last_x; /* column of the last */
   uint64_t raster_windows_last_y; /* row of the last */
   uint64_t raster_rest; /* u0.(TW-1): with less left a pixel's next Gaussian takes all; 0: it stops at 1/TCut */
+  uint64_t raster_aovs_wanted; /* which, one bit each: coverage, depth, median, index; they lie in this order */
+  uint64_t raster_aovs_range; /* of depths: 2^(range + 1) world units; what lies farther has the largest depth */
+  uint64_t raster_aovs_base; /* first line of the first one */
+  uint64_t raster_aovs_lines; /* from one to the next, at least as many as one has */
   uint64_t lod; /* level of detail: log2(focal / lod_pixels) in steps of depth; 0: no proxies */
   uint64_t walk_most; /* Gaussians at one depth from which on a window is walked part by part; 0: never is */
 };
@@ -630,6 +641,7 @@ struct pipegs_configuration {
   uint32_t list_entry_w; /* entry of a list of a window, 0: no lists */
   uint32_t rest_w; /* raster.rest, all of it fraction; 0: absent */
   uint32_t lod_bits; /* a step of the field lod is 2^-lod_bits octaves; 0: absent */
+  uint32_t aovs; /* one bit each, as in raster.aovs.wanted */
 };
 
 /* FIELD(name, offset, lowest bit, width) for each field of struct pipegs_configuration. */
@@ -682,6 +694,7 @@ struct pipegs_configuration {
   FIELD(alpha_memory_lines, PIPEGS_CONFIG_OVERFLOW, 20, 4) \
   FIELD(list_entry_w, PIPEGS_CONFIG_OVERFLOW, 24, 8) \
   FIELD(rest_w, PIPEGS_CONFIG_LESS, 0, 8) \
-  FIELD(lod_bits, PIPEGS_CONFIG_LESS, 8, 8)
+  FIELD(lod_bits, PIPEGS_CONFIG_LESS, 8, 8) \
+  FIELD(aovs, PIPEGS_CONFIG_AOVS, 0, 4)
 
 #endif

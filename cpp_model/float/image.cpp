@@ -102,23 +102,31 @@ void write_exr(const std::filesystem::path& path, const Image& image) {
   Imf::Header header(image.width, image.height);
   Imf::FrameBuffer frame;
   std::vector<std::vector<float>> planes;
-  constexpr const char* kNames[] = {"R", "G", "B", "A", "T", "depth"};
+  constexpr const char* kNames[] = {"R", "G", "B", "A", "T", "depth", "median"};
   planes.reserve(std::size(kNames));
-  for (std::size_t c = 0; c < std::size(kNames); ++c) {
+  for (std::size_t c = 0; c < std::size(kNames) - image.median.empty(); ++c) {
     std::vector<float>& plane = planes.emplace_back(image.rgb.size());
     for (std::size_t i = 0; i < plane.size(); ++i) {
       const double t = image.transmittance[i];
-      const double value = c < 3 ? image.rgb[i][static_cast<int>(c)] : c == 3 ? 1 - t : c == 4 ? t : image.depth[i];
+      const double value = c < 3    ? image.rgb[i][static_cast<int>(c)]
+                           : c == 3 ? 1 - t
+                           : c == 4 ? t
+                           : c == 5 ? image.depth[i]
+                                    : image.median[i];
       plane[i] = static_cast<float>(value);
     }
     header.channels().insert(kNames[c], Imf::Channel(Imf::FLOAT));
     frame.insert(kNames[c],
                  Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(plane.data()), sizeof(float), sizeof(float) * width));
   }
-  std::vector<std::uint32_t> blended = image.blended;  // OpenEXR's slices are not const
-  header.channels().insert("blended", Imf::Channel(Imf::UINT));
-  frame.insert("blended", Imf::Slice(Imf::UINT, reinterpret_cast<char*>(blended.data()), sizeof(std::uint32_t),
-                                     sizeof(std::uint32_t) * width));
+  std::vector<std::uint32_t> blended = image.blended, index = image.index;  // OpenEXR's slices are not const
+  const auto insert = [&](const char* name, std::vector<std::uint32_t>& values) {
+    header.channels().insert(name, Imf::Channel(Imf::UINT));
+    frame.insert(name, Imf::Slice(Imf::UINT, reinterpret_cast<char*>(values.data()), sizeof(std::uint32_t),
+                                  sizeof(std::uint32_t) * width));
+  };
+  insert("blended", blended);
+  if (!index.empty()) insert("index", index);
 
   AtomicFile out(path);
   try {

@@ -168,6 +168,7 @@ void raise(float& largest, float value) {
 
 void blend_bin(const Splats& splats, std::span<const std::uint32_t> places, const Rules& rules, const PixelRect& area,
                const PixelRect& window, Image& image, std::vector<float>* largest_weight) {
+  double best[kBin * kBin] = {};  // largest weight of each pixel
   std::vector<Turn> turns;
   turns.reserve(places.size());
   for (const std::uint32_t place : places) turns.push_back({splats[place].order, place});
@@ -183,7 +184,8 @@ void blend_bin(const Splats& splats, std::span<const std::uint32_t> places, cons
       for (int x = r.x0; x < r.x1; ++x) powers[x - r.x0] = power_at(s.conic, s.mean.x - (x + rules.center), dy);
       for (int x = r.x0; x < r.x1; ++x) {
         double power = powers[x - r.x0];
-        bool& done = finished[(y - area.y0) * kBin + (x - area.x0)];
+        const int in_bin = (y - area.y0) * kBin + (x - area.x0);
+        bool& done = finished[in_bin];
         if (!(power >= s.least_power) || done || !rules.settle(power)) continue;
         const double alpha = std::min(kMaxAlpha, s.opacity * std::exp(power));
         if (alpha < kMinAlpha) continue;
@@ -200,6 +202,10 @@ void blend_bin(const Splats& splats, std::span<const std::uint32_t> places, cons
         image.depth[pixel] += weight * s.depth;
         image.transmittance[pixel] = next;
         ++image.blended[pixel];
+        if (!image.median.empty()) {
+          if (before >= 0.5 && next < 0.5) image.median[pixel] = s.depth;
+          if (weight > best[in_bin]) best[in_bin] = weight, image.index[pixel] = s.index;
+        }
         largest = std::max(largest, weight);
       }
     }
@@ -217,6 +223,7 @@ Image render_truth(const Scene& scene, const Camera& camera, const TruthOptions&
   const Bins bins = bin(splats, window, options.threads);
   const Rules rules(options.semantics);
   Image image(window.x1 - window.x0, window.y1 - window.y0);
+  if (options.aovs) image.median.assign(image.depth.size(), 0), image.index.assign(image.depth.size(), kNoGaussian);
   const std::size_t total = bins.first.size() - 1;
   std::size_t done = 0;
   std::mutex mutex;

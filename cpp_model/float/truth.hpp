@@ -37,6 +37,7 @@ struct TruthOptions {
   std::function<void(double)> progress;          // called with 0..1, rising, never from two threads at once
   int sh_degree = kMaxShDegree;                  // cap below the scene's own degree
   std::vector<float>* largest_weight = nullptr;  // per Gaussian: raised to the largest weight that it has at a pixel
+  bool aovs = false;                             // Image::median and index, too
 };
 
 struct TruthStep {

@@ -17,6 +17,8 @@
 
 #include <algorithm>
 #include <array>
+#include <string_view>
+#include <vector>
 
 #include "cpp_model/records.hpp"
 #include "cpp_model/ru/ru_lanes.hpp"
@@ -25,11 +27,14 @@ namespace pipegs {
 
 enum class Aov : int { kCoverage, kDepth, kMedian, kIndex };
 inline constexpr std::array kAovs{Aov::kCoverage, Aov::kDepth, Aov::kMedian, Aov::kIndex};
+inline constexpr std::array<std::string_view, kAovs.size()> kAovNames{"coverage", "depth", "median", "index"};
+
+// Of each the pixels of a picture as they lie in memory, row by row; none where nobody wants it.
+using AovPixels = std::array<std::vector<uint32_t>, kAovs.size()>;
 
 // Whether the machine has it.
 inline bool has_aov(const Config& c, Aov aov) {
-  const int of[] = {c.aov_coverage, c.aov_depth, c.aov_median, c.aov_index};
-  return of[static_cast<int>(aov)] != 0;
+  return (c.aovs_built() >> static_cast<int>(aov) & 1) != 0;
 }
 
 // Whether a frame writes it.

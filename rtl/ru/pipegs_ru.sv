@@ -173,8 +173,7 @@ module pipegs_ru #(
     assign range = '0;
   end
   if (pipegs_pkg::HasAovs) begin : gen_wanted
-    assign wanted = raster_i.aovs.wanted & {pipegs_pkg::AovIndex != 0, pipegs_pkg::AovMedian != 0,
-                                            pipegs_pkg::AovDepth != 0, pipegs_pkg::AovCoverage != 0};
+    assign wanted = raster_i.aovs.wanted & Kinds'(pipegs_pkg::AovsBuilt);
   end else begin : gen_no_aovs
     assign wanted = '0;
   end

@@ -106,6 +106,10 @@ void ViewArguments::add(CLI::App& app, DesignPoints which) {
            "nowhere (--set lod=1)",
            {.low = 0, .high = 1024})
       .shows_default();
+  add_names(app, "--aovs", aovs,
+            fmt::format("what frames write of their pixels beside colours, of machines with living quads and pixels of "
+                        "32 bits: {}, or all",
+                        fmt::join(kAovNames, ", ")));
   add_real(app, "--near", near_plane, "near plane, scene units", kPositive).shows_default();
 }
 
@@ -144,6 +148,18 @@ void ViewArguments::check_fields(const std::vector<SimulateOptions>& machines) c
     throw ConfigError("--lod-pixels: found no machine with levels of detail, expected one with lod=1");
 }
 
+uint64_t ViewArguments::wanted_aovs() const {
+  uint64_t wanted = 0;
+  for (const std::string& name : aovs) {
+    if (name == "all") return (uint64_t{1} << kAovNames.size()) - 1;
+    const auto found = std::find(kAovNames.begin(), kAovNames.end(), name);
+    if (found == kAovNames.end())
+      throw ConfigError(fmt::format("--aovs: found {}, expected {} or all", quote(name), fmt::join(kAovNames, ", ")));
+    wanted |= uint64_t{1} << (found - kAovNames.begin());
+  }
+  return wanted;
+}
+
 SimulateOptions ViewArguments::one_of_several() const {
   SimulateOptions options;
   options.config = machine();
@@ -152,6 +168,15 @@ SimulateOptions ViewArguments::one_of_several() const {
   options.near_plane = near_plane;
   options.rest = rest;
   options.lod_pixels = lod_pixels;
+  options.aovs = wanted_aovs();
+  const auto build = [&](int Config::*key, Aov aov) {
+    if ((options.aovs >> static_cast<int>(aov) & 1) != 0) options.config.*key = 1;
+  };
+  build(&Config::aov_coverage, Aov::kCoverage);
+  build(&Config::aov_depth, Aov::kDepth);
+  build(&Config::aov_median, Aov::kMedian);
+  build(&Config::aov_index, Aov::kIndex);
+  config_check(options.config);
   return options;
 }
 

@@ -74,8 +74,9 @@ struct ViewArguments : MachineArguments {
   std::vector<std::string> design_points;
   std::optional<uint64_t> walk_most = {};  // where it is given
   double near_plane = 0.2;
-  double rest = 0;        // transmittance, SimulateOptions::rest
-  double lod_pixels = 0;  // SimulateOptions::lod_pixels
+  double rest = 0;                // transmittance, SimulateOptions::rest
+  double lod_pixels = 0;          // SimulateOptions::lod_pixels
+  std::vector<std::string> aovs;  // names of those that frames write, or all
 
   void add(CLI::App& app, DesignPoints which = DesignPoints::kOne);
   // ConfigError where a field of a frame is given that no machine has, as all below.
@@ -92,6 +93,7 @@ struct ViewArguments : MachineArguments {
 
  private:
   SimulateOptions on(const DesignPoint& design_point) const;
+  uint64_t wanted_aovs() const;  // SimulateOptions::aovs
 };
 
 // External memory and seed, for the subcommands that run the RTL.

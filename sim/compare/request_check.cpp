@@ -39,7 +39,13 @@ RequestCheck::RequestCheck(const GoldenInput& input, const Areas& areas) {
       port.reads = port.writes = {part(unit, Area::kKeys), part(unit, Area::kMerged), part(unit, Area::kRuns),
                                   part(unit, Area::kRecords)};
     }
-    if (stream == "raster") port.writes = {picture}, port.reads = all_alphas;  // of every PU
+    if (stream == "raster") {
+      port.writes = {picture}, port.reads = all_alphas;  // of every PU
+      for (const Aov aov : kAovs) {
+        if (wants_aov(config, input.frame, aov))
+          port.writes.push_back({aov_line(config, input.frame, aov), input.frame.raster.aovs.lines});
+      }
+    }
     if (stream == "lists") port.reads = port.writes = {part(0, Area::kLists)};
     if (stream == "geometry") port.reads = {{at.gaussians, areas.gaussians}};
     if (stream == "color") port.reads = {{at.colors, areas.colors}};

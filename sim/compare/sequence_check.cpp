@@ -169,15 +169,15 @@ void SequenceCheck::compare_request(int tag, bool write, uint64_t line, int line
                          .found = fmt::to_string(line) + (lines > 1 ? fmt::format(" and {} more", lines - 1) : "")});
 }
 
-uint64_t SequenceCheck::found(const One& one, uint64_t x, uint64_t y) const {
+uint64_t SequenceCheck::found(const One& one, uint64_t x, uint64_t y, uint64_t ahead) const {
   const GoldenInput& input = *one.expected.input;
   const Config& config = input.packed->config;
   if (input.picture.format != 0)
-    return get_bits(memory_.line(ru_raster_line(input.picture, x, y)).data(), ru_raster_bit(x), 32);
+    return get_bits(memory_.line(ru_raster_line(input.picture, x, y) + ahead).data(), ru_raster_bit(x), 32);
   const uint64_t side = static_cast<uint64_t>(config.window);
   const int region = region_at(config, static_cast<int>(x % side / 8), static_cast<int>(y % side / 8)),
             row = static_cast<int>(y % 8);
-  return get_bits(memory_.line(ru_pixel_line(config, input.frame, x / side, y / side, region, row)).data(),
+  return get_bits(memory_.line(ru_pixel_line(config, input.frame, x / side, y / side, region, row) + ahead).data(),
                   ru_pixel_bit(config, row, static_cast<int>(x % 8)), config.pixel_w);
 }
 
@@ -189,15 +189,32 @@ void SequenceCheck::compare_pixels(One& one) {
   const uint64_t side = static_cast<uint64_t>(config.window);
   const uint64_t x0 = raster.windows.first_x * side, x1 = std::min(raster.width, (raster.windows.last_x + 1) * side),
                  y0 = raster.windows.first_y * side, y1 = std::min(raster.height, (raster.windows.last_y + 1) * side);
-  one.written.assign(one.expected.pixels->size(), 0);
+  const GoldenFrame& golden = *one.expected.golden;
+  const auto compare = [&](uint64_t x, uint64_t y, const std::string& what, uint64_t expected, uint64_t shown) {
+    if (shown == expected) return;
+    one.streams->fail_pixel(static_cast<int>(x), static_cast<int>(y), what + fmt::format("{:016x}", expected),
+                            what + fmt::format("{:016x}", shown));
+  };
+  one.written.assign(golden.pixels.size(), 0);
   for (uint64_t y = y0; y < y1; ++y) {
     for (uint64_t x = x0; x < x1; ++x) {
-      const uint64_t pixel = (*one.expected.pixels)[y * raster.width + x], shown = found(one, x, y),
-                     expected = in_raster ? ru_rgba8(config, pixel) : pixel;
-      one.written[y * raster.width + x] = shown;
-      if (shown == expected) continue;
-      one.streams->fail_pixel(static_cast<int>(x), static_cast<int>(y), fmt::format("{:016x}", expected),
-                              fmt::format("{:016x}", shown));
+      const uint64_t at = y * raster.width + x, pixel = golden.pixels[at];
+      one.written[at] = found(one, x, y);
+      compare(x, y, "", in_raster ? ru_rgba8(config, pixel) : pixel, one.written[at]);
+    }
+  }
+  const Frame& frame = one.expected.input->frame;
+  const uint64_t base = in_raster ? one.expected.input->picture.base : frame.tables.pixels;
+  for (size_t i = 0; i < kAovs.size(); ++i) {
+    if (!wants_aov(config, frame, kAovs[i])) continue;
+    const uint64_t ahead = aov_line(config, frame, kAovs[i]) - base;
+    one.aovs[i].assign(golden.pixels.size(), 0);
+    for (uint64_t y = y0; y < y1; ++y) {
+      for (uint64_t x = x0; x < x1; ++x) {
+        const uint64_t at = y * raster.width + x;
+        one.aovs[i][at] = static_cast<uint32_t>(found(one, x, y, ahead));
+        compare(x, y, std::string(kAovNames[i]) + " ", golden.aovs[i][at], one.aovs[i][at]);
+      }
     }
   }
 }

@@ -23,7 +23,7 @@ class SequenceCheck final : public RtlTaps {
   // A frame where it lies in memory, its golden pixels, and its areas. `input` and `pixels` outlive this.
   struct Expected {
     const GoldenInput* input;
-    const std::vector<uint64_t>* pixels;
+    const GoldenFrame* golden;
     Areas areas;
   };
   // `second` sees all that this sees, or is null.
@@ -51,6 +51,8 @@ class SequenceCheck final : public RtlTaps {
   size_t complete() const { return back_; }    // frames that are
   // Of a frame that is complete: its pixels as memory held them, row by row of the image.
   const std::vector<uint64_t>& written(size_t number) const { return frames_[number].written; }
+  // Likewise those of its AOVs that it wants.
+  const AovPixels& aovs(size_t number) const { return frames_[number].aovs; }
   // Of a frame that is complete: what memory has moved since the start.
   const MemoryBytes& moved(size_t number) const { return frames_[number].moved; }
 
@@ -60,6 +62,7 @@ class SequenceCheck final : public RtlTaps {
     std::unique_ptr<StreamCheck> streams;
     RequestCheck requests;
     std::vector<uint64_t> written = {};
+    AovPixels aovs = {};
     MemoryBytes moved = {};
   };
   RtlTaps& states();  // in this cycle
@@ -68,7 +71,8 @@ class SequenceCheck final : public RtlTaps {
   StreamCheck& at(size_t number);  // the last frame, where a stream shows more than it should
   void compare_pixels(One& one);
   void compare_request(int tag, bool write, uint64_t line, int lines);
-  uint64_t found(const One& one, uint64_t x, uint64_t y) const;  // the pixel in memory
+  // The pixel in memory, of colours or so many lines further.
+  uint64_t found(const One& one, uint64_t x, uint64_t y, uint64_t ahead = 0) const;
 
   const ExternalMemory& memory_;
   RtlTaps* second_;

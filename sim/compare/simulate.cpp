@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cpp_model/aov_image.hpp"
 #include "cpp_model/dopu/nearest/dopu_lod.hpp"
 #include "cpp_model/float/metrics.hpp"
 #include "cpp_model/float/truth.hpp"
@@ -85,6 +86,8 @@ Rgb8 cropped(const Rgb8& picture, const PixelRect& part) {
 Image crop_window(const Image& image, const SimulateOptions& options) {
   const PixelRect r = asked_pixels(image.width, image.height, options);
   Image part(r.x1 - r.x0, r.y1 - r.y0);
+  part.median.resize(image.median.empty() ? 0 : part.depth.size());
+  part.index.resize(image.index.empty() ? 0 : part.depth.size());
   for (int y = r.y0; y < r.y1; ++y) {
     for (int x = r.x0; x < r.x1; ++x) {
       const size_t to = part.at(x - r.x0, y - r.y0), from = image.at(x, y);
@@ -92,14 +95,18 @@ Image crop_window(const Image& image, const SimulateOptions& options) {
       part.transmittance[to] = image.transmittance[from];
       part.depth[to] = image.depth[from];
       part.blended[to] = image.blended[from];
+      if (!image.median.empty()) part.median[to] = image.median[from];
+      if (!image.index.empty()) part.index[to] = image.index[from];
     }
   }
   return part;
 }
 
 Image picture_of(const Simulation& simulation, const SimulateOptions& options) {
-  Image image = crop_window(simulation.golden.image, options);
-  if (simulation.written.empty()) return image;
+  if (simulation.written.empty()) return crop_window(simulation.golden.image, options);
+  Image whole = simulation.golden.image;
+  show_aovs(*simulation.input.packed, simulation.input.frame, simulation.written_aovs, whole);
+  Image image = crop_window(whole, options);
   const PixelRect r = asked_pixels(simulation.golden.image.width, simulation.golden.image.height, options);
   for (int y = r.y0; y < r.y1; ++y) {
     for (int x = r.x0; x < r.x1; ++x) {
@@ -131,6 +138,7 @@ void simulate_frame(const PackedScene& packed, const Camera& camera, const Simul
   if (options.config.has_walks()) result.input.frame.walk_most = options.walk_most;
   if (options.rest != 0 && options.config.early_stop)
     result.input.frame.raster.rest = rest_of(options.config, options.rest);
+  if (options.config.has_aovs()) result.input.frame.raster.aovs.wanted = options.aovs;
   if (options.config.lod) result.input.frame.lod = dopu_lod_of(options.config, camera.fx, options.lod_pixels);
   if (options.raster)
     result.input.picture = raster_picture(result.input.frame.tables.pixels, result.input.frame.raster.width);
@@ -178,6 +186,7 @@ Image simulate_float(const char* stage, const Scene& scene, const Camera& camera
   truth.rank = rank;
   truth.near_plane = options.near_plane;
   truth.sh_degree = std::min(scene.sh_degree, options.config.sh_degree);
+  truth.aovs = options.aovs != 0;
   truth.clip_window = options.window || options.crop;
   truth.x0 = r.x0, truth.y0 = r.y0, truth.x1 = r.x1, truth.y1 = r.y1;
   truth.progress = [&](double share) {

@@ -33,6 +33,7 @@ struct SimulateOptions {
   uint64_t walk_most = PIPEGS_WALK_MOST;     // Frame::walk_most, of machines that have it
   double rest = 0;                           // transmittance, Frame::raster.rest; of machines that stop early
   double lod_pixels = 0;                     // Frame::lod by its size of proxies; of machines that have them
+  uint64_t aovs = 0;                         // Frame::raster.aovs.wanted, of machines that have them
   bool raster = false;                       // pixels in raster order, RGBA8; else by windows
   std::optional<std::array<int, 2>> watch;   // pixel whose blending the RTL shall show
   RtlTaps* taps = nullptr;                   // sees what the RTL shows, beside the comparison
@@ -58,6 +59,7 @@ struct Simulation {
   GoldenInput input;  // points at packed, or at that of another simulation
   GoldenFrame golden;
   std::vector<uint64_t> written;  // as golden.pixels, but what the RTL left in memory; empty where it did not run
+  AovPixels written_aovs;         // as golden.aovs, likewise
   // Exact in the hardware's order, exact and INRIA in global order; only the window that was asked for.
   Image truth_order, truth_exact, truth_inria;
   RtlResult rtl;

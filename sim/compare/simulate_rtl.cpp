@@ -33,7 +33,7 @@ Placed place(const Config& config, const std::vector<Simulation*>& frames, Exter
     GoldenInput input = one->input;
     const auto [found, fresh] = base.emplace(input.packed, end);
     if (fresh) memory.load(memory_image(*input.packed).lines, end);
-    move_tables(input.frame.tables, found->second);
+    move_frame(input.frame, found->second);
     input.picture.base += found->second;
     end = std::max(end, input.frame.tables.overflow);
     placed.inputs.push_back(input);
@@ -61,7 +61,7 @@ SequenceRun simulate_sequence(const SimulateOptions& options, const std::vector<
   uint64_t windows = 0;
   for (size_t i = 0; i < frames.size(); ++i) {
     const GoldenInput& input = placed.inputs[i];
-    expected.push_back({&input, &frames[i]->golden.pixels, placed.areas[i]});
+    expected.push_back({&input, &frames[i]->golden, placed.areas[i]});
     jobs.push_back(frame_job(config, input.frame, placed.areas[i], input.picture));
     windows += frame_windows(input.frame);
   }
@@ -113,6 +113,7 @@ SequenceRun simulate_sequence(const SimulateOptions& options, const std::vector<
     run.frame_bytes.push_back({moved.read - before.read, moved.written - before.written});
     before = moved;
     frames[i]->written = check.written(i);
+    frames[i]->written_aovs = check.aovs(i);
     frames[i]->seen = one.seen();
     frames[i]->beats = one.beats();
     frames[i]->mismatches = one.mismatches();

@@ -134,6 +134,7 @@ StreamCheck::Window& StreamCheck::window(uint64_t ordinal) {
   for (int r = 0; r < config_.regions(); ++r) {
     window.done.add(config_, r, window.golden.regions[r].all_done());
     window.live.push_back(ru_fresh_region(config_, input_.frame, x, y, r));
+    if (config_.has_aovs()) window.live_aovs.push_back(ru_fresh_region_aovs(config_));
   }
   window.lines.resize(window.live.size());
   window.next.resize(window.live.size());
@@ -509,6 +510,7 @@ void StreamCheck::on_alphas(int lane, uint64_t window_x, uint64_t window_y, uint
                   .quarter = quarter,
                   .codes = {},
                   .after = {},
+                  .aovs = {},
                   .window = ordinal,
                   .words = config_.quads ? 1 : 4};
   const int quad = config_.quads ? ru_quad(lane % config_.tap_lanes(), quarter) : 0;
@@ -526,8 +528,14 @@ void StreamCheck::on_alphas(int lane, uint64_t window_x, uint64_t window_y, uint
   }
   const uint32_t color[3] = {static_cast<uint32_t>(splat->splat.red), static_cast<uint32_t>(splat->splat.green),
                              static_cast<uint32_t>(splat->splat.blue)};
+  const RegionState before = now.live[region];
   ru_blend_region(constants_, now.live[region], pending.codes.data(), color);
   pending.after = now.live[region];
+  if (config_.has_aovs()) {
+    ru_add_region_aovs(config_, constants_, now.live_aovs[region], before, pending.after, pending.codes.data(),
+                       ru_linear(config_, splat->splat.depth, input_.frame.raster.aovs.range), index);
+    pending.aovs = now.live_aovs[region];
+  }
   pending_[lane].push_back(pending);
 }
 
@@ -541,7 +549,8 @@ void StreamCheck::on_pixels(int lane, int region, int quarter, const uint32_t* w
     where.field = "region";
     fail(pending.window, where, fmt::to_string(pending.region), fmt::to_string(region));
   } else {
-    // The word: colours of its pixels, then their transmittances, then their done flags (rtl/ru/ru_lanes.sv).
+    // The word: colours of its pixels, then their transmittances, then their done flags, then what they have for AOVs
+    // (rtl/ru/ru_lanes.sv, rtl/ru/live/ru_live.sv).
     const int colors = 3 * config_.rgb_w, pixels = ru_word_pixels(config_);
     for (int i = 0; i < pixels; ++i) {
       const int pixel = ru_word_pixel(config_, lane % config_.tap_lanes(), quarter, i);
@@ -553,8 +562,18 @@ void StreamCheck::on_pixels(int lane, int region, int quarter, const uint32_t* w
                              field(pixels * (colors + config_.t_w) + i, 1) != 0};
       where.pixel = pixel_at(pending.window, region, pixel);
       if (where.pixel == watched_) seen_.push_back({pending.index, pending.codes[pixel], found});
-      if (found == expected) continue;
-      differ(expected, found, where);
+      bool wrong = found != expected && differ(expected, found, where);
+      if (!wrong && config_.has_aovs()) {
+        std::vector<uint32_t> words(static_cast<size_t>(record_words<PixelAovs>(config_) + 2));
+        const int first = pixels * (colors + config_.t_w + 1) + i * config_.aov_bits();
+        for (int bit = 0; bit < config_.aov_bits(); bit += 32) {
+          const int width = std::min(32, config_.aov_bits() - bit);
+          put_bits(words.data(), bit, width, get_bits(word, first + bit, width));
+        }
+        wrong =
+            differ(config_, pending.aovs[static_cast<size_t>(pixel)], unpack<PixelAovs>(config_, words.data()), where);
+      }
+      if (!wrong) continue;
       fail(pending.window, where);
       break;
     }

@@ -103,6 +103,7 @@ class StreamCheck final : public RtlTaps {
     std::vector<std::unordered_map<uint64_t, const GoldenSplat*>> by_name;  // of each layer
     RegionSet done;                                                         // regions done at the end
     std::vector<RegionState> live;                                          // blended line by line as the RTL does
+    std::vector<RegionAovs> live_aovs;                                      // likewise, where the machine has AOVs
     std::vector<std::vector<Line>> lines;                                   // of each region, in their order
     std::vector<size_t> shown;                     // of each region: one more than the last line that an RU has shown
     std::vector<std::array<size_t, kQuads>> next;  // of each region and quad (of a whole region the first): next line
@@ -120,6 +121,7 @@ class StreamCheck final : public RtlTaps {
     int quarter;  // with quads
     std::array<uint16_t, kRegionPixels> codes;
     RegionState after;  // the golden region after this line
+    RegionAovs aovs;    // likewise, where the machine has AOVs
     uint64_t window;
     int words;  // to come
   };

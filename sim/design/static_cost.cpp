@@ -80,8 +80,8 @@ void add_buffers(const Config& c, StaticCost& cost) {
   }
   const int others = c.quads ? c.mask_w() - c.mask_w() / units : 0;  // of the mask, regions of other RUs
   add("RU u_queue", "queues", record_width<Sorted>(c) - others, c.ru_queue(), units);
-  if (c.quads) {  // a half: two quads of a group, which of them live, which half of which region, colour
-    const int half = 2 + 8 * record_width<Exponent>(c) + 1 + c.region_w() + 3 * c.color_w + c.shown_index_w();
+  if (c.quads) {  // a half: two quads of a group, which of them live, which half of which region, colour and depth
+    const int half = 2 + 8 * record_width<Exponent>(c) + 1 + c.region_w() + c.ru_colors_w() + c.shown_index_w();
     add("RU u_quads.u_queue", "queues", half, Config::ru_halves(), units * Config::ru_groups());
   }
 

@@ -42,9 +42,11 @@ struct Widths {
         axi(c),
         pixel_lines(c.region_lines() * c.regions()),
         raster_rows(8 * c.regions()),
+        aovs(static_cast<uint64_t>(c.aovs_built())),
         taps(c.taps != 0) {}
   int units, tap_lanes, splat, sorted, request, kind, region, index, window, line, pixels, address, tag, burst, bus;
   AxiWidths axi;
+  uint64_t aovs;
   int pixel_lines, raster_rows;  // what is written of a window inside the image, in either format of the picture
   bool taps;                     // the streams show
 };
@@ -346,6 +348,7 @@ void VerilatedMachine::fail(const pipegs_error& error) const {
 void VerilatedMachine::render(const std::vector<pipegs_job>& frames) {
   if (options_->bus_timeout != 0) pipegs_set_timeout(&device_, options_->bus_timeout);
   window_lines_ = static_cast<uint64_t>(frames.front().picture.format != 0 ? w_.raster_rows : w_.pixel_lines);
+  window_lines_ *= 1 + static_cast<uint64_t>(std::popcount(frames.front().frame.raster_aovs_wanted & w_.aovs));
   pipegs_enable(&device_, PIPEGS_IRQ_STATUS_FRAME_DONE | PIPEGS_IRQ_STATUS_QUEUE_FREE | PIPEGS_IRQ_STATUS_ERROR);
   for (size_t next = 0; ends_.size() < frames.size();) {
     while (next < frames.size() && !due() && pipegs_queue_free(&device_) &&

@@ -28,7 +28,7 @@ TEST(ExampleFrame, TheExampleRendersAFrame) {
   Simulation simulation;
   simulate_golden(generate_scene(1), generated_cameras()[0], options, simulation);
   GoldenInput input = simulation.input;
-  move_tables(input.frame.tables, kImage / 64);
+  move_frame(input.frame, kImage / 64);
 
   ExternalMemory memory(options.memory, options.config.bus_w);
   std::ifstream file(PIPEGS_PACKED "/image.bin", std::ios::binary);

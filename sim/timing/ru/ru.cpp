@@ -26,6 +26,11 @@ Ru::Ru(const Machine& m, int lane)
       rows_(m.config.pixels_per_row),
       own_(ru_own_mask(m.config, lane)) {
   for (size_t part = 0; part < static_cast<size_t>(m.config.parts()); ++part) owned_.mask[part] = own_;
+  ahead_.push_back(0);
+  const uint64_t base = m.trace.picture.format != 0 ? m.trace.picture.base : m.frame.tables.pixels;
+  for (const Aov aov : kAovs) {
+    if (wants_aov(m.config, m.frame, aov)) ahead_.push_back(aov_line(m.config, m.frame, aov) - base);
+  }
   set_window(m, 0);
   if (quads_) drain_.start(0, owned_, true, 0, 0);
 }
@@ -324,8 +329,8 @@ int Ru::requests(const Machine& m, size_t window, int region, int first_row, int
   return std::clamp(rows_written(m, window) - 8 * region_y(m.config, region) - first_row, 0, rows);
 }
 
-// A line of pixels of a region to memory, or a row of them in raster order.
-void Ru::write(Machine& m, size_t window, int region, uint64_t line) {
+// A line of pixels of a region to memory, or a row of them in raster order; AOVs lie so many lines ahead.
+void Ru::write(Machine& m, size_t window, int region, uint64_t line, uint64_t ahead) {
   memory_valid_ = true;
   const uint64_t columns =
       (m.frame.raster.width + static_cast<uint64_t>(m.config.window) - 1) / static_cast<uint64_t>(m.config.window);
@@ -337,11 +342,13 @@ void Ru::write(Machine& m, size_t window, int region, uint64_t line) {
     const uint64_t x = window_x * side + 8 * static_cast<uint64_t>(region_x(m.config, region)),
                    y = window_y * side + 8 * static_cast<uint64_t>(region_y(m.config, region)) + line;
     const bool wide = joined(m) && (x | 8) < m.frame.raster.width;
-    return m.memory.ask(port_, ru_raster_line(m.trace.picture, x, y), true, 1, wide ? 3 : 1 << ru_raster_half(x));
+    return m.memory.ask(port_, ru_raster_line(m.trace.picture, x, y) + ahead, true, 1,
+                        wide ? 3 : 1 << ru_raster_half(x));
   }
   const uint64_t number = window_y * columns + window_x;
   const uint64_t place = number * static_cast<uint64_t>(m.config.regions()) + static_cast<uint64_t>(region);
-  m.memory.ask(port_, m.frame.tables.pixels + place * static_cast<uint64_t>(m.config.region_lines()) + line, true);
+  m.memory.ask(port_, m.frame.tables.pixels + place * static_cast<uint64_t>(m.config.region_lines()) + line + ahead,
+               true);
 }
 
 // With quads: the words that ru_drain has brought.
@@ -349,9 +356,11 @@ void Ru::drained(Machine& m, Cycle now) {
   if (!drain_.words.valid(now)) return m.wheel.wake(unit(kRuMemory, lane_), drain_.words.head_from());
   const Drain::Word word = drain_.words.front();
   const auto whole = static_cast<uint64_t>(m.trace.picture.format != 0 ? 2 : m.config.region_lines() / 4);  // of a word
-  write(m, word.window, word.region, static_cast<uint64_t>(word.row) * whole + line_);
+  write(m, word.window, word.region, static_cast<uint64_t>(word.row) * whole + line_, ahead_[turn_]);
   if (++line_ < static_cast<uint64_t>(requests(m, word.window, word.region, 2 * word.row, 2))) return;
   line_ = 0;
+  if (++turn_ < ahead_.size()) return;
+  turn_ = 0;
   drain_.words.pop(now);
   if (joined(m)) other(m).drain_.words.pop(now);
 }

@@ -86,7 +86,7 @@ class Ru {
   const Seen& seen(Cycle now);
   RegionSet unwritten(const Machine& m) const;  // of the owned regions
   void written_line(Machine& m, Cycle now);
-  void write(Machine& m, size_t window, int region, uint64_t line);
+  void write(Machine& m, size_t window, int region, uint64_t line, uint64_t ahead = 0);
   int rows_written(const Machine& m, size_t window) const;
   int requests(const Machine& m, size_t window, int region, int first_row, int rows) const;
   void drained(Machine& m, Cycle now);
@@ -144,6 +144,8 @@ class Ru {
   int lines_left_ = 0;
   Cycle line_from_ = 0, resolved_from_ = 0;
   uint64_t line_ = 0;
+  std::vector<uint64_t> ahead_;  // lines from the pixels to what is written of a word in turn: colours, then AOVs
+  size_t turn_ = 0;
   RegionSet regions_left_;
   size_t window_written_ = 0;
 };
