@@ -280,6 +280,7 @@ GaussianBudget gaussian_budget(const Config& config, const Camera& camera, const
   const Geometry g(camera, gaussian, out.truth);
   const double depth_error =
       (exact_record ? 0 : position_error(config, g, units)) + 2 * view_rounding(units) + units.world;
+  out.depth = depth_error;
   if (out.truth.depth <= options.near_plane - depth_error) {
     out.truth.visible = false;
     return out;

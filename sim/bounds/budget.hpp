@@ -44,6 +44,7 @@ struct GaussianBudget {
   PowerBudget power;
   glm::dvec3 rgb{0};    // the truth's colour before its clamps, the constant band clipped as the record does
   double color = 0;     // error of each channel of it
+  double depth = 0;     // error of its view z, scene units
   bool certain = true;  // false: so near the near plane that the machine may drop it
 };
 

@@ -29,10 +29,11 @@ struct Entry {
   GaussianBudget budget;
   double error;  // of its power
   Interval color[3];
+  Interval depth;  // of AOVs
 };
 
 struct Pixel {
-  double t = 1, rgb[3] = {};  // the truth
+  double t = 1, rgb[3] = {}, expected = 0;  // the truth
   bool done = false;
   Interval t_run{1, 1}, rgb_run[3];    // of a machine that has not stopped
   Interval t_hull{1, 1}, rgb_hull[3];  // of all, those that may have stopped included
@@ -60,7 +61,7 @@ struct Rounding {
   double weight, color, stop, top;
 };
 
-void blend_truth(Pixel& p, double alpha, const double (&color)[3]) {
+void blend_truth(Pixel& p, double alpha, const double (&color)[3], double depth) {
   if (p.done || alpha == 0) return;
   const double next = p.t * (1 - alpha);
   if (next < kMinTransmittance) {
@@ -68,21 +69,28 @@ void blend_truth(Pixel& p, double alpha, const double (&color)[3]) {
     return;
   }
   for (int i = 0; i < 3; ++i) p.rgb[i] += alpha * p.t * color[i];
+  p.expected += alpha * p.t * depth;
   p.t = next;
 }
 
-void blend_interval(const Rounding& r, Pixel& p, Interval alpha, const Interval (&color)[3]) {
-  if (!p.may_run || alpha.high == 0) return;
+BlendStep blend_interval(const Rounding& r, Pixel& p, Interval alpha, const Interval (&color)[3]) {
+  if (!p.may_run || alpha.high == 0) return {};
   const Interval weight{std::max(0.0, p.t_run.low * alpha.low - r.weight), p.t_run.high * alpha.high + r.weight};
   const Interval next{p.t_run.low * (1 - alpha.high) - r.weight, p.t_run.high * (1 - alpha.low) + r.weight};
   if (next.low < r.stop) p.hold();
   p.may_run = next.high >= r.stop;
-  if (!p.may_run) return;
+  if (!p.may_run) return {};
+  const BlendStep step{.possible = true,
+                       .certain = !p.may_have_stopped && alpha.low > 0,
+                       .before = p.t_run,
+                       .weight = weight,
+                       .next = next};
   for (int i = 0; i < 3; ++i) {
     const double low = p.rgb_run[i].low + std::max(0.0, weight.low * color[i].low - r.color);
     p.rgb_run[i] = {std::min(low, r.top), std::min(p.rgb_run[i].high + weight.high * color[i].high + r.color, r.top)};
   }
   p.t_run = {std::max(next.low, r.stop), std::min(next.high, p.t_run.high)};
+  return step;
 }
 
 // A colour in memory. Pixels of 32 bits (ru_unorm) hold it to the nearest of 1023 steps, and at most one.
@@ -114,6 +122,8 @@ class Walk {
  public:
   Walk(const Scene& scene, const Camera& camera, const SimulateOptions& options, const Simulation& simulation)
       : simulation_(simulation),
+        range_(std::ldexp(
+            1.0, static_cast<int>(simulation.input.frame.raster.aovs.range) + 1 + simulation.packed.scene_exponent)),
         config_(options.config),
         rounding_(config_),
         rows_(config_),
@@ -125,9 +135,11 @@ class Walk {
  private:
   void collect(const Scene& scene, const Camera& camera, const SimulateOptions& options);
   void splat(const Entry& entry, const Jobs& jobs, const GoldenWindow& window, std::vector<Pixel>& pixels,
-             BudgetReport& report) const;
+             std::vector<AovBounds>& aovs, BudgetReport& report) const;
+  void compare_aovs(int x, int y, double expected, const AovBounds& bounds, BudgetReport& report) const;
 
   const Simulation& simulation_;
+  double range_;  // of depths in AOVs, scene units
   const Config& config_;
   Rounding rounding_;
   PuRows rows_;
@@ -156,7 +168,8 @@ void Walk::collect(const Scene& scene, const Camera& camera, const SimulateOptio
       GaussianBudget budget =
           gaussian_budget(config_, camera, projection, gaussian, dc, sh_rest_of(scene, index), scene.sh_degree, units);
       if (!budget.truth.visible) continue;
-      Entry entry{index, budget, budget.power.total(), {}};
+      Entry entry{index, budget, budget.power.total(), {}, {}};
+      if (config_.has_depths()) entry.depth = depth_interval(config_, budget.truth.depth, budget.depth, range_);
       for (int i = 0; i < 3; ++i) {
         entry.budget.truth.rgb[i] = std::clamp(budget.rgb[i], 0.0, 4.0);
         entry.color[i] = color_interval(config_, budget.rgb[i], budget.color);
@@ -170,7 +183,7 @@ void Walk::collect(const Scene& scene, const Camera& camera, const SimulateOptio
 }
 
 void Walk::splat(const Entry& entry, const Jobs& jobs, const GoldenWindow& window, std::vector<Pixel>& pixels,
-                 BudgetReport& report) const {
+                 std::vector<AovBounds>& aovs, BudgetReport& report) const {
   const TruthProjection& truth = entry.budget.truth;
   const double cut = -std::log2(255.0), one = std::ldexp(1.0, config_.alpha_w);
   // The oriented box (tile_test = 2) ends at three standard deviations: a pixel beyond them may lie in no region.
@@ -192,7 +205,8 @@ void Walk::splat(const Entry& entry, const Jobs& jobs, const GoldenWindow& windo
       Interval alpha = alpha_interval(config_, power, entry.error);
       if (!entry.budget.certain || power < boxed) alpha.low = 0;
       if (alpha.high == 0 && codes[i] == 0) continue;
-      Pixel& pixel = pixels[static_cast<size_t>(region) * kRegionPixels + i];
+      const size_t number = static_cast<size_t>(region) * kRegionPixels + static_cast<size_t>(i);
+      Pixel& pixel = pixels[number];
       const double exact = power >= cut && truth.depth > near_ ? std::min(kMaxAlpha, std::exp2(power)) : 0;
       drawn = true;
       ++report.pairs;
@@ -204,11 +218,43 @@ void Walk::splat(const Entry& entry, const Jobs& jobs, const GoldenWindow& windo
             "pixel {},{}: alpha of Gaussian {} is {}, truth {:.9f}, bound {:.9f} to {:.9f}, power {:.6f} +- {:.3g}", x,
             y, entry.index, codes[i] / one, exact, alpha.low, alpha.high, power, entry.error);
       }
-      blend_truth(pixel, exact, rgb);
-      blend_interval(rounding_, pixel, alpha, entry.color);
+      blend_truth(pixel, exact, rgb, std::min(truth.depth / range_, 1.0));
+      const BlendStep step = blend_interval(rounding_, pixel, alpha, entry.color);
+      if (!aovs.empty()) aovs[number].take(config_, step, entry.index, entry.depth);
     }
   }
   if (drawn && std::isfinite(entry.error)) report.power_bound = std::max(report.power_bound, entry.error);
+}
+
+void Walk::compare_aovs(int x, int y, double expected, const AovBounds& bounds, BudgetReport& report) const {
+  const Image& image = simulation_.golden.image;
+  const size_t at = image.at(x, y);
+  const auto fail = [&](const std::string& what) {
+    if (!report.first) report.first = fmt::format("pixel {},{}: {}", x, y, what);
+  };
+  const auto wants = [&](Aov aov) { return wants_aov(config_, simulation_.input.frame, aov); };
+  if (const Interval number = bounds.blended();
+      wants(Aov::kCoverage) && (image.blended[at] < number.low || image.blended[at] > number.high))
+    fail(fmt::format("{} Gaussians blended, bound {} to {}", image.blended[at], number.low, number.high));
+  if (wants(Aov::kDepth)) {
+    const double found = image.depth[at] / range_, before = report.expected.excess;
+    note(report.expected, found, expected, bounds.expected());
+    if (report.expected.excess > before)
+      fail(fmt::format("expected depth {:.8f}, truth {:.8f}, bound {:.8f} to {:.8f}", found, expected,
+                       bounds.expected().low, bounds.expected().high));
+  }
+  if (wants(Aov::kMedian)) {
+    const double found = image.median[at] / range_;
+    report.medians += bounds.one_median();
+    if (!bounds.allows_median(found)) fail(fmt::format("median depth {:.8f}, bound {}", found, bounds.median_text()));
+  }
+  if (wants(Aov::kIndex)) {
+    const std::optional<uint32_t> found =
+        image.index[at] == kNoGaussian ? std::nullopt : std::optional(image.index[at]);
+    report.indices += bounds.one_index();
+    if (!bounds.allows_index(found))
+      fail(fmt::format("Gaussian {} does not weigh most", static_cast<int>(image.index[at])));
+  }
 }
 
 BudgetReport Walk::window(uint64_t wx, uint64_t wy) const {
@@ -221,9 +267,10 @@ BudgetReport Walk::window(uint64_t wx, uint64_t wy) const {
   }
   BudgetReport report;
   std::vector<Pixel> pixels(static_cast<size_t>(config_.regions()) * kRegionPixels);
+  std::vector<AovBounds> aovs(simulation_.input.frame.raster.aovs.wanted != 0 ? pixels.size() : 0);
   for (const Entry& entry : entries_) {
     const auto found = jobs.find(entry.index);
-    splat(entry, found == jobs.end() ? Jobs{} : found->second, window, pixels, report);
+    splat(entry, found == jobs.end() ? Jobs{} : found->second, window, pixels, aovs, report);
   }
   for (size_t i = 0; i < pixels.size(); ++i) {
     const int region = static_cast<int>(i / kRegionPixels), in = static_cast<int>(i % kRegionPixels);
@@ -233,7 +280,10 @@ BudgetReport Walk::window(uint64_t wx, uint64_t wy) const {
     Pixel& pixel = pixels[i];
     if (pixel.may_run) pixel.hold();
     const size_t at = image.at(x, y);
+    if (!aovs.empty()) compare_aovs(x, y, pixel.expected, aovs[i], report);
     const double worst = std::max(report.t.excess, report.color.excess);
+    // Of 16 bits in its AOV, cut.
+    if (wants_aov(config_, simulation_.input.frame, Aov::kCoverage)) pixel.t_hull.low -= std::ldexp(1.0, -15);
     note(report.t, image.transmittance[at], pixel.t, pixel.t_hull);
     for (int k = 0; k < 3; ++k) {
       pixel.rgb_hull[k] = stored(config_, pixel.rgb_hull[k]);
@@ -263,6 +313,8 @@ BudgetReport budget_frame(const Scene& scene, const Camera& camera, const Simula
   BudgetReport sum;
   for (BudgetReport& part : parts) {
     join(sum.alpha, part.alpha), join(sum.t, part.t), join(sum.color, part.color);
+    join(sum.expected, part.expected);
+    sum.medians += part.medians, sum.indices += part.indices;
     sum.power_bound = std::max(sum.power_bound, part.power_bound);
     sum.pairs += part.pairs, sum.vacuous += part.vacuous;
     if (!sum.first) sum.first = std::move(part.first);

@@ -5,12 +5,14 @@
 //         and colour lie in theirs, so T and the accumulated colour lie in
 //           T' in [T.low (1 - alpha.high) - r, T.high (1 - alpha.low) + r]      r: the rounding of one weight
 //         Where the interval of T' holds the stop level both ways are followed, and the result is the hull of both.
+//         With AOVs (aovs.hpp) theirs are walked beside them.
 // Rule    What the packer left out (and counted) is left out of the truth too; colours clip as the format does.
 #pragma once
 
 #include <optional>
 #include <string>
 
+#include "sim/bounds/aovs.hpp"
 #include "sim/bounds/budget.hpp"
 #include "sim/compare/simulate.hpp"
 
@@ -24,11 +26,12 @@ struct BudgetFigure {
 };
 
 struct BudgetReport {
-  BudgetFigure alpha, t, color;
-  double power_bound = 0;            // worst of a drawn Gaussian that has one
-  size_t pairs = 0;                  // of Gaussian and pixel that golden or truth counts
-  size_t vacuous = 0;                // of these, pairs for which the bound says nothing
-  std::optional<std::string> first;  // the first violation in words
+  BudgetFigure alpha, t, color, expected;  // expected: depth, as a fraction of the frame's range
+  size_t medians = 0, indices = 0;         // pixels where only one Gaussian can be it
+  double power_bound = 0;                  // worst of a drawn Gaussian that has one
+  size_t pairs = 0;                        // of Gaussian and pixel that golden or truth counts
+  size_t vacuous = 0;                      // of these, pairs for which the bound says nothing
+  std::optional<std::string> first;        // the first violation in words
 
   bool holds() const { return !first.has_value(); }
 };

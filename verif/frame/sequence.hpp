@@ -40,6 +40,8 @@ class Sequence {
   void rest(double transmittance) { options_.rest = transmittance; }
   // Of the frames to come: proxies of groups that differ by less than so many pixels.
   void lod_pixels(double pixels) { options_.lod_pixels = pixels; }
+  // Of the frames to come: what they write beside their colours, of machines that have it.
+  void aovs(uint64_t wanted) { options_.aovs = wanted; }
   // That a frame fetches, by the golden model.
   uint64_t gaussians(size_t frame) const { return simulations_.at(frame)->golden.work.fetched; }
   void expect_equal() {

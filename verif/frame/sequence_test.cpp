@@ -126,6 +126,39 @@ TEST(Sequence, EachFrameHasItsOwnLevelOfDetail) {
   }
 }
 
+// Other AOVs in each frame, by windows and in raster order: what a frame writes is its own.
+TEST(Sequence, EachFrameHasItsOwnAovs) {
+  const Scene scene = random_scene(68, 1200, 1);
+  for (const size_t i : todays({kFine, kHidden})) {
+    SCOPED_TRACE(config_difference(machine(i).config));
+    Sequence sequence(machine(i));
+    sequence.aovs(15);
+    sequence.add(scene, test_camera(130, 70));
+    for (const uint64_t wanted : {0, 2, 13, 8, 15}) {
+      sequence.aovs(wanted);
+      sequence.add(test_camera(130, 70));
+    }
+    sequence.expect_equal();
+    if (HasFatalFailure()) return;
+  }
+}
+
+// In raster order each lies behind the picture as its colours do; the frames of a machine have one format.
+TEST(Sequence, AovsLieInRasterOrder) {
+  const Scene scene = random_scene(69, 1200, 1);
+  for (const size_t i : todays({kFine, kHidden})) {
+    SCOPED_TRACE(config_difference(machine(i).config));
+    Sequence sequence(machine(i));
+    for (const uint64_t wanted : {15, 5, 10}) {
+      sequence.aovs(wanted);
+      sequence.add(scene, test_camera(141, 75));
+      sequence.in_raster_order(wanted % 4);
+    }
+    sequence.expect_equal();
+    if (HasFatalFailure()) return;
+  }
+}
+
 // Frames that sort otherwise (another near plane) wait until the SUs are empty.
 TEST(Sequence, TheMemoryAndTheNearPlaneMayChange) {
   const Scene scene = random_scene(64, 1500, 1);
