@@ -101,6 +101,47 @@ void add_golden_maps(HtmlDocument& page, const Simulation& simulation, const Ima
   add_map(page, closed);
 }
 
+// Depth of what is seen, and whose it is, where the frame writes them.
+void add_aov_maps(HtmlDocument& page, const Simulation& simulation, const Image& golden,
+                  const SimulateOptions& options) {
+  const Frame& frame = simulation.input.frame;
+  const auto wants = [&](Aov aov) { return wants_aov(options.config, frame, aov); };
+  const PackedScene& packed = *simulation.input.packed;
+  const double range = std::ldexp(1.0, static_cast<int>(frame.raster.aovs.range) + 1 + packed.scene_exponent);
+  PixelMap map{.unit = "scene units",
+               .width = golden.width,
+               .height = golden.height,
+               .logarithmic = true,
+               .low = std::ldexp(range, -options.config.linear_w()),
+               .steps = 64};
+  if (wants(Aov::kDepth)) {
+    map.name = "depth", map.title = "expected depth";
+    map.what = "Sum of weight times depth, over the light that the pixel stops; nothing where none is stopped.";
+    for (size_t i = 0; i < golden.depth.size(); ++i) {
+      const double stopped = 1 - golden.transmittance[i];
+      map.values.push_back(stopped > 0 ? golden.depth[i] / stopped : 0);
+    }
+    add_map(page, map);
+  }
+  if (wants(Aov::kMedian)) {
+    map.name = "median", map.title = "median depth";
+    map.what = "Depth of the Gaussian with which T falls below one half; nothing where none does.";
+    map.values = golden.median;
+    add_map(page, map);
+  }
+  if (!wants(Aov::kIndex)) return;
+  const double step = std::ceil((static_cast<double>(packed.scene_gaussians) + 1) / 65000);
+  PixelMap index{.name = "index",
+                 .title = "Gaussian that weighs most",
+                 .unit = "one more than its index",
+                 .what = fmt::format("The nearest of equal ones, to {}; 0 where there is none.", step),
+                 .width = golden.width,
+                 .height = golden.height,
+                 .step = step};
+  for (const uint32_t one : golden.index) index.values.push_back(one == kNoGaussian ? 0 : 1.0 + one);
+  add_map(page, index);
+}
+
 std::string bytes_of(const std::vector<uint32_t>& words) {
   std::string bytes;
   for (const uint32_t word : words) {
@@ -184,6 +225,7 @@ HtmlDocument frame_document(const FramePage& given, const Simulation& simulation
   if (given.against) add_picture(page, "against", given.against_name, *given.against);
   if (truth) add_truth_maps(page, simulation, golden);
   add_golden_maps(page, simulation, golden, options);
+  add_aov_maps(page, simulation, golden, options);
   if (given.record == nullptr) return page;
   if (config.taps != 0) add_blends(page, *given.record, frame, r, config);
   add_timeline(page, *given.record, simulation, config);
