@@ -406,6 +406,23 @@ mutant ru_live "rows of quads are read as if all began with the same group" 's/(
 mutant ru_live "the banks are shown to the drain a cycle too early" 's/(BankW\{job_q\[)2/\11/'
 mutant ru_live "done of the window before is shown in the next one" 's/ && !clear_q( && slots_stopped)/\1/'
 
+# --- rtl/ru/aovs ------------------------------------------------------------------------------------------------------
+group aovs "What an RU writes beside colours (\`aov_coverage\` ...)"
+mutant ru_aovs "of equal weights the farthest counts" 's/weight_q > aovs_i/weight_q >= aovs_i/' ru_aovs
+mutant ru_aovs "the median is that of the last Gaussian" "s/before_i\[TW-1:TW-2\] != '0 && //" ru_aovs
+mutant ru_aovs "the sum of depths wraps" "s/total\[DepthW\] \? '1 : //" ru_aovs
+mutant ru_aovs "whatever comes is counted" 's/taken_q && (blended !=)/\1/' ru_aovs
+mutant ru_blend "a Gaussian before which the pixel stops has its depth" 's/(some_1_q) && !hold/\1/' ru_aovs
+mutant ru_quads "a cleared word keeps its AOVs" 's/drain_5_q \? \{Lanes\{Fresh\}\} : aovs/aovs/' ru_aovs
+mutant ru_quads "the index is that of the quad behind" 's/index_5 = index_5_q/index_5 = index_4_q/' ru_aovs
+mutant ru_linear "depths are cut" "s/(shifted\)) \+ 1'b1/\1/" ru_regions_aovs
+mutant ru_linear "what lies beyond the range is near" 's/exponent > range_i \|\| //' ru_regions_aovs
+mutant ru_aov_lines "where no Gaussian is, there is one of 24 bits" "s/best == '1/1'b0/" ru_drain_aovs
+mutant ru_aov_lines "the count lies below T" 's/\{(kept\[BlendedW-1:0\]), (kept\[KeptW-1 -: 16\])\}/{\2, \1}/' ru_drain_aovs
+mutant ru_drain "AOVs are written that nobody wants" "s/wanted_aovs_i & (\(turn_q)/\1/" ru_drain_aovs
+mutant ru_drain "AOVs are written over the colours" 's/place \+ ahead/place/' ru_drain_aovs
+mutant pipegs_errors "AOVs that have no room are written" "s/ && raster_i.aovs.wanted != '0 && .*;/ \&\& 1'b0;/" errors_aovs
+
 # --- rtl/buf ----------------------------------------------------------------------------------------------------------
 group buf "Buffers"
 mutant pipegs_first_line "the highest one's line" 's/i = Ports; i > 0; i -= 1/i = 1; i <= Ports; i += 1/'

@@ -5,6 +5,7 @@
 // replays it. What the file formats cannot hold exactly (a camera's last bit) would show there: the replay is tried
 // before it is printed.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <filesystem>
 
@@ -43,6 +44,7 @@ std::string replay(const std::string& program, const StressArguments& arguments,
                   view.near_plane, options.memory.latency, options.memory.jitter, options.memory.seed);
   line += " --design " + arguments.machine.design_point;
   for (const std::string& setting : arguments.machine.settings) line += " --set " + shell_word(setting);
+  if (!arguments.machine.aovs.empty()) line += fmt::format(" --aovs {}", fmt::join(arguments.machine.aovs, ","));
   return line + (arguments.no_rtl ? " --no-rtl" : "");
 }
 
