@@ -17,6 +17,7 @@ constexpr uint64_t kAll = 15;
 
 Config with_aovs(const char* design_point = "fast") {
   Config config = find_design_point(design_point).config;
+  config.quads = 1;
   config.pixel_w = 32;
   config.aov_coverage = config.aov_depth = config.aov_median = config.aov_index = 1;
   config_check(config);
@@ -135,7 +136,7 @@ TEST(AovDepth, IsAFractionOfTheRange) {
 // --- frames ----------------------------------------------------------------------------------------------------------
 
 TEST(AovFrame, SaysWhatThereIsToBeSeen) {
-  const Scene scene = scene_of({gaussian_at({0, 0, 3}, 0.5f, 0.99), gaussian_at({0, 0, 9}, 3.0f, 0.99)});
+  const Scene scene = scene_of({gaussian_at({0, 0, 3}, 0.2f, 0.99), gaussian_at({0, 0, 9}, 3.0f, 0.99)});
   Simulation result;
   simulate_golden(scene, test_camera(64, 64), options_with_aovs(), result);
   const Image& image = result.golden.image;
@@ -185,7 +186,6 @@ TEST(AovFrame, KeepsItsBounds) {
       Scene scene = random_scene(seed, 2500, 2);
       for (Gaussian& gaussian : scene.gaussians) gaussian.log_scale += 0.3f * static_cast<float>(seed - 81);
       SimulateOptions options = options_with_aovs(design_point);
-      options.config.quads = 1;
       options.config.depth_w = seed % 2 == 0 ? 30 : options.config.depth_w;
       const Camera camera = test_camera(120, 80);
       Simulation result;
@@ -195,7 +195,7 @@ TEST(AovFrame, KeepsItsBounds) {
       const size_t pixels = result.golden.pixels.size();
       EXPECT_GT(report.indices, pixels / 2) << "seed " << seed;
       EXPECT_GT(report.medians, pixels / 10) << "seed " << seed;
-      EXPECT_LT(report.expected.error, 1e-3) << "of the range";
+      EXPECT_LT(report.expected.error, 3e-3) << "of the range; alphas of 8 bits";
     }
   }
 }
