@@ -12,6 +12,7 @@
 #include "cpp_model/dopu/dopu.hpp"
 #include "cpp_model/dopu/nearest/dopu_nearest.hpp"
 #include "cpp_model/dopu/dopu_walks.hpp"
+#include "cpp_model/eyes.hpp"
 #include "cpp_model/float/parallel.hpp"
 #include "cpp_model/pu/box/pu_axes.hpp"
 #include "cpp_model/pu/box/pu_box.hpp"
@@ -70,14 +71,14 @@ Splat golden_splat(const Config& config, const Colored& colored, uint64_t part, 
   return splat;
 }
 
-// One Gaussian up to its conic; nothing when the cull drops it.
-std::optional<GoldenConic> project(const GoldenInput& input, const Fetched& fetched, Work& work,
+// One Gaussian up to its conic, in the view of an eye; nothing when the cull drops it.
+std::optional<GoldenConic> project(const GoldenInput& input, const Fetched& fetched, int eye, Work& work,
                                    Saturations& saturations, Called& called) {
   const Config& config = input.packed->config;
   const Frame& frame = input.frame;
-  ++work.fetched;
   Gap gap;
-  const std::optional<Visible> visible = pu_cull(config, frame, fetched, &called.near, &gap);
+  const std::optional<Visible> visible =
+      pu_cull(config, frame, fetched, eye == 0 ? &called.near : nullptr, &gap, {}, nullptr, eye);
   if (!visible || (config.tight_cull && !pu_reach(config, frame, *visible, gap))) return std::nullopt;
   ++work.visible;
   ProjectCounts counts;
@@ -109,13 +110,13 @@ Colored color(const GoldenInput& input, const ColorJob& job, Saturations& satura
   return colored;
 }
 
-// One Gaussian through the PU; appends to the layer what survives.
-void preprocess(const GoldenInput& input, const Fetched& fetched, GoldenWindow& window, GoldenLayer& layer) {
-  const std::optional<GoldenConic> found = project(input, fetched, window.work, window.saturations, window.called);
+// One Gaussian through the PU, in the view of an eye; appends to the layer what survives.
+void preprocess(const GoldenInput& input, const Fetched& fetched, int eye, GoldenWindow& window, GoldenLayer& layer) {
+  const std::optional<GoldenConic> found = project(input, fetched, eye, window.work, window.saturations, window.called);
   if (!found) return;
   const auto& [conic, payload] = *found;
   std::optional<Colored> colored;  // once for all parts
-  for (const PuPart& one : pu_parts(input.packed->config, conic, fetched.walk)) {
+  for (const PuPart& one : pu_parts(input.packed->config, conic, fetched.walk, payload.eye)) {
     const Tiles tiles = intersect(input, one.conic, window);
     if (tiles.mask == 0) continue;
     if (!colored) colored = color(input, color_job(payload, tiles.mask), window.saturations);
@@ -188,15 +189,25 @@ void blend(const GoldenInput& input, GoldenWindow& window) {
   window.called.stopped = counts.stopped;
 }
 
-// The colour that memory holds of a pixel.
-glm::dvec3 shown(const Config& config, const PixelState& pixel) {
-  if (config.pixel_w == 64)
-    return glm::dvec3(pixel.rgb[0], pixel.rgb[1], pixel.rgb[2]) / std::ldexp(1.0, config.rgb_w - 2);
-  const auto code = [&](int channel) { return static_cast<double>(ru_unorm(config, pixel.rgb[channel])); };
-  return glm::dvec3(code(0), code(1), code(2)) / static_cast<double>(kMostCode);
+}  // namespace
+
+Work& Work::operator+=(const Work& o) {
+  fetched += o.fetched, visible += o.visible, records += o.records, regions += o.regions;
+  open_regions += o.open_regions, quads += o.quads, alphas += o.alphas;
+  blended += o.blended, keys += o.keys, chunks += o.chunks, layers += o.layers, windows += o.windows;
+  return *this;
 }
 
-}  // namespace
+Saturations& Saturations::operator+=(const Saturations& o) {
+  mean += o.mean, color += o.color, accumulated += o.accumulated, dead += o.dead;
+  return *this;
+}
+
+Called& Called::operator+=(const Called& o) {
+  near += o.near, guard += o.guard, stopped += o.stopped, ties += o.ties, layers = std::max(layers, o.layers),
+                                                                          bucket = std::max(bucket, o.bucket);
+  return *this;
+}
 
 GoldenConic golden_conic(const Config& config, const Frame& frame, const Visible& visible, ProjectCounts* counts) {
   const auto [projected, center, payload] = pu_project(config, frame, visible, counts);
@@ -252,8 +263,9 @@ const GoldenLists& golden_lists(const GoldenInput& input, unsigned threads) {
     for (size_t k = i * kChunksOfPart; k < std::min(chunks.size(), (i + 1) * kChunksOfPart); ++k) {
       ++part.work.chunks;
       for (uint64_t slot = chunks[k].slot; slot < chunks[k].slot + chunks[k].count; ++slot) {
+        ++part.work.fetched;
         const std::optional<GoldenConic> found = project(input, golden_fetched(chunks[k], packed.gaussians[slot], slot),
-                                                         part.work, part.saturations, part.called);
+                                                         0, part.work, part.saturations, part.called);
         if (!found || !pu_expand_box(packed.config, frame, found->conic)) continue;
         part.gaussians.push_back({found->conic, color(input, pu_expand_job(found->payload), part.saturations)});
       }
@@ -293,7 +305,11 @@ GoldenWindow golden_window(const GoldenInput& input, uint64_t window_x, uint64_t
     if (window.layers.empty() || window.layers.back().ordinal != ordinal) window.layers.push_back({ordinal, {}});
     ++window.work.chunks;
     for (uint64_t slot = chunk.slot; slot < chunk.slot + chunk.count; ++slot) {
-      preprocess(input, golden_fetched(chunk, packed.gaussians[slot], slot), window, window.layers.back());
+      const Fetched fetched = golden_fetched(chunk, packed.gaussians[slot], slot);
+      ++window.work.fetched;
+      for (int eye = 0; eye < packed.config.eyes; ++eye) {
+        if (wants_eye(packed.config, input.frame, eye)) preprocess(input, fetched, eye, window, window.layers.back());
+      }
     }
   };
   const int x = static_cast<int>(window_x), y = static_cast<int>(window_y);
@@ -327,101 +343,6 @@ GoldenWindow golden_window(const GoldenInput& input, uint64_t window_x, uint64_t
 
 void golden_codes(const Config& config, const RowJob& job, int bit, uint16_t codes[kRegionPixels]) {
   pu_region_line(PuRows(config), job, bit, codes);
-}
-
-namespace {
-
-constexpr uint64_t kUnseen = ~uint64_t{0};
-
-// The place of each Gaussian of the scene by {order, index}; those that no window has seen come last. `order` has the
-// index by which the machine orders.
-std::vector<uint32_t> ranks(const PackedScene& packed, const std::vector<uint64_t>& order) {
-  struct Turn {
-    uint64_t order;
-    uint32_t index;
-  };
-  std::vector<Turn> seen;
-  seen.reserve(order.size());
-  for (size_t i = 0; i < order.size(); ++i) {
-    if (order[i] != kUnseen) seen.push_back({order[i], static_cast<uint32_t>(i)});
-  }
-  std::sort(seen.begin(), seen.end(),
-            [](const Turn& a, const Turn& b) { return a.order != b.order ? a.order < b.order : a.index < b.index; });
-  constexpr uint32_t kNone = ~uint32_t{0};
-  std::vector<uint32_t> rank(packed.scene_gaussians, kNone);
-  for (size_t i = 0; i < seen.size(); ++i) rank[packed.scene_index(seen[i].index)] = static_cast<uint32_t>(i);
-  auto next = static_cast<uint32_t>(seen.size());
-  for (uint32_t& one : rank) {
-    if (one == kNone) one = next++;
-  }
-  return rank;
-}
-
-}  // namespace
-
-GoldenFrame golden_frame(const GoldenInput& input, const GoldenOptions& options) {
-  const Config& config = input.packed->config;
-  const Frame& frame = input.frame;
-  const int width = static_cast<int>(frame.raster.width), height = static_cast<int>(frame.raster.height);
-  const uint64_t columns = frame.raster.windows.last_x - frame.raster.windows.first_x + 1,
-                 count = columns * (frame.raster.windows.last_y - frame.raster.windows.first_y + 1);
-  const double t_one = BlendConstants(config).one;
-  GoldenFrame result;
-  result.image = Image(width, height);
-  result.pixels.assign(static_cast<size_t>(width) * height, 0);
-  result.stopped.assign(result.pixels.size(), 0);
-  for (size_t i = 0; i < kAovs.size(); ++i) {
-    if (wants_aov(config, frame, kAovs[i])) result.aovs[i].assign(result.pixels.size(), 0);
-  }
-  // (layer, depth key) of each Gaussian; it has the same in every window.
-  std::vector<uint64_t> order(std::max(input.packed->scene_gaussians, input.packed->slot_to_index.size()), kUnseen);
-  std::mutex mutex;
-  uint64_t finished = 0;
-  if (config.has_lists()) {
-    const GoldenLists& lists = golden_lists(input, options.threads);
-    result.work += lists.work;
-    result.saturations += lists.saturations;
-    result.called += lists.called;
-  }
-
-  parallel_for(count, options.threads, [&](size_t i) {
-    const GoldenWindow window =
-        golden_window(input, frame.raster.windows.first_x + i % columns, frame.raster.windows.first_y + i / columns);
-    for (int r = 0; r < config.regions(); ++r) {
-      for (int p = 0; p < kRegionPixels; ++p) {
-        const int x = static_cast<int>(window.x) * config.window + 8 * region_x(config, r) + p % 8;
-        const int y = static_cast<int>(window.y) * config.window + 8 * region_y(config, r) + p / 8;
-        if (x >= width || y >= height) continue;
-        const PixelState pixel = window.regions[r].pixel(p);
-        const size_t at = result.image.at(x, y), in_window = static_cast<size_t>(r) * kRegionPixels + p;
-        result.image.rgb[at] = shown(config, pixel);
-        result.image.transmittance[at] = pixel.t / t_one;
-        result.image.depth[at] = window.depth[in_window];
-        result.image.blended[at] = window.blended[in_window];
-        result.pixels[at] = ru_resolve(config, pixel);
-        for (size_t i = 0; i < kAovs.size(); ++i) {
-          if (!result.aovs[i].empty())
-            result.aovs[i][at] = static_cast<uint32_t>(
-                ru_aov_word(config, kAovs[i], pixel.t, window.aovs[static_cast<size_t>(r)][static_cast<size_t>(p)]));
-        }
-        result.stopped[at] = pixel.done ? 1 : 0;
-      }
-    }
-    const std::lock_guard lock(mutex);
-    for (const GoldenLayer& layer : window.layers) {
-      for (const GoldenSplat& splat : layer.splats)
-        order[splat.splat.index] = static_cast<uint64_t>(layer.ordinal) << 32 | splat.splat.depth;
-    }
-    result.work += window.work;
-    result.saturations += window.saturations;
-    result.called += window.called;
-    ++finished;
-    if (options.progress) options.progress(static_cast<double>(finished) / static_cast<double>(count));
-  });
-
-  show_aovs(*input.packed, frame, result.aovs, result.image);
-  result.rank = ranks(*input.packed, order);
-  return result;
 }
 
 }  // namespace pipegs

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "cpp_model/float/image.hpp"
@@ -131,11 +132,16 @@ GoldenConic golden_conic(const Config& config, const Frame& frame, const Visible
 // The alpha codes of the region at a set bit of a job's mask.
 void golden_codes(const Config& config, const RowJob& job, int bit, uint16_t codes[kRegionPixels]);
 
-struct GoldenFrame {
+struct GoldenPicture {
   Image image;
   std::vector<uint64_t> pixels;  // as in external memory by windows (ru_resolve), row by row of the image
   AovPixels aovs;                // those that the frame wants
   std::vector<uint8_t> stopped;  // 1: a Gaussian that would have brought T below the stop ended the pixel
+};
+
+// The picture is that of the eye that is wanted, of both the first one.
+struct GoldenFrame : GoldenPicture {
+  std::optional<GoldenPicture> second;  // of the second eye, where both are wanted
   Work work;
   Saturations saturations;
   Called called;

@@ -24,7 +24,9 @@ inline Closed closed_of(const Config& c, const RegionSet& closed, uint64_t walk)
   int left = side, right = side, top = side, bottom = side;
   for (int y = 0; y < side; ++y) {
     for (int x = 0; x < side; ++x) {
-      if (closed.has(c, region_at(c, x0 + x, y0 + y))) continue;
+      bool all = true;  // eyes
+      for (int eye = 0; eye < c.eyes; ++eye) all = all && closed.has(c, region_at(c, x0 + x, y0 + y, eye));
+      if (all) continue;
       left = std::min(left, x), right = std::min(right, side - 1 - x);
       top = std::min(top, y), bottom = std::min(bottom, side - 1 - y);
     }
@@ -45,7 +47,7 @@ auto& closed_part(O& open, uint64_t part) {
 inline Open open_of(const Config& c, const RegionSet& closed, uint64_t window_x, uint64_t window_y) {
   Open open{.known = 1, .window_x = window_x, .window_y = window_y, .whole = closed_of(c, closed, kWholeWalk)};
   if (!c.has_walks()) return open;
-  for (uint64_t part = 0; part < static_cast<uint64_t>(c.parts()); ++part)
+  for (uint64_t part = 0; part < static_cast<uint64_t>(c.squares()); ++part)
     closed_part(open, part) = closed_of(c, closed, walk_of(c, part));
   return open;
 }

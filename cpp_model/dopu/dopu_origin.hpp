@@ -4,7 +4,8 @@
 // Paper   Sec. 4.2 (projection), world to view.        RTL  rtl/dopu/dopu_origin.sv
 // Idea    origin = W (centre - camera) exactly, in 2^-24. Every mean of the chunk is origin + W offset with |W offset|
 //         < 2^(PosW + offset_exp), so with L = max(bit length of the largest |origin_i|, PosW + offset_exp) the sum is
-//         below 2^(L + 1), and view_exp = max(0, L + 2 - ViewW) makes it fit ViewW signed bits.
+//         below 2^(L + 1), and view_exp = max(0, L + 2 - ViewW) makes it fit ViewW signed bits. Eyes that stand apart
+//         need one bit more than the largest of all three.
 // Round   To nearest, once: half a unit of 2^view_exp.
 #pragma once
 
@@ -26,8 +27,10 @@ inline Chunk dopu_origin(const Config& config, const Frame& frame, const Node& n
                                 Int128{frame.camera.rotation.w22} * dz};
   Uint128 magnitudes = 0;
   for (const Int128& v : origin) magnitudes |= static_cast<Uint128>(v < 0 ? ~v : v);
-  const int length =
-      std::max(bit_length(magnitudes) - config.rot_f(), config.pos_w + static_cast<int>(node.offset_exp));
+  int length = std::max(bit_length(magnitudes) - config.rot_f(), config.pos_w + static_cast<int>(node.offset_exp));
+  if (const uint64_t halves = static_cast<uint64_t>(std::abs(frame.eyes.half_x) | std::abs(frame.eyes.half_y));
+      halves != 0)
+    length = std::max(length, bit_length(halves)) + 1;
   const int view_exp = std::max(0, length + 2 - config.view_w), shift = view_exp + config.rot_f();
   Chunk chunk;
   chunk.kind = kData;

@@ -5,7 +5,8 @@
 // Idea    The box is that of the means or of the ellipsoids (dopu_hull.hpp). Of its corners the farthest one along
 //         a plane's normal decides: n_i >= 0 takes the high side of axis i, else the low side, so a plane costs three
 //         products and one for reach * scale (near: -1 * near). Corners, scale and near are brought to one unit 2^e
-//         with which the largest fits TestW bits, and floored.
+//         with which the largest fits TestW bits, and floored. Eyes that stand apart (eyes = 2) see what a camera in
+//         the middle would see in a box that reaches further by as much.
 // Bound   Flooring a corner loses under one unit times n_i, flooring n_i loses under one unit times the corner, the
 //         same for reach and scale: together at most 2^(TestW + 2), which is added before the sign is looked at. At a
 //         1000 px focal length about 0.07 px on the window's edges for a node ahead (estimate).
@@ -35,15 +36,17 @@ inline Corners dopu_test_corners(const Config& config, const Frame& frame, const
   const int64_t delta[3] = {node.center_x - frame.camera.position.x, node.center_y - frame.camera.position.y,
                             node.center_z - frame.camera.position.z};
   const uint64_t halves[3] = {node.half_x, node.half_y, node.half_z},
-                 downs[3] = {node.down_x, node.down_y, node.down_z}, ups[3] = {node.up_x, node.up_y, node.up_z};
+                 downs[3] = {node.down_x, node.down_y, node.down_z}, ups[3] = {node.up_x, node.up_y, node.up_z},
+                 reaches[3] = {frame.eyes.reach_x, frame.eyes.reach_y, frame.eyes.reach_z};
   const Hull hull = dopu_hull(config, node.scale_max, step);
   Corners box;
   box.scale = hull.scale;
   uint64_t magnitudes = 0;
   for (int i = 0; i < 3; ++i) {
-    const auto half = static_cast<int64_t>(halves[i] << node.half_exp);
-    const auto down = static_cast<int64_t>(downs[i] << 1 << node.half_exp),
-               up = static_cast<int64_t>(ups[i] << 1 << node.half_exp);
+    const auto reach = static_cast<int64_t>(reaches[i]);
+    const auto half = static_cast<int64_t>(halves[i] << node.half_exp) + reach;
+    const auto down = static_cast<int64_t>(downs[i] << 1 << node.half_exp) + reach,
+               up = static_cast<int64_t>(ups[i] << 1 << node.half_exp) + reach;
     const int64_t low = delta[i] - (hull.tight ? down : half), high = delta[i] + (hull.tight ? up : half);
     box.low[i] = low;
     box.high[i] = high;

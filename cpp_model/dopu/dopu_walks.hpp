@@ -17,7 +17,7 @@ inline std::vector<uint64_t> dopu_walks(const Config& config, const Frame& frame
                                         int window_x, int window_y) {
   if (!dopu_load(config, frame, scene, window_x, window_y)) return {kWholeWalk};
   std::vector<uint64_t> walks;
-  for (uint64_t part = 0; part < static_cast<uint64_t>(config.parts()); ++part) {
+  for (uint64_t part = 0; part < static_cast<uint64_t>(config.squares()); ++part) {
     const WalkSquare square = walk_square(config, walk_of(config, part));
     if (int64_t{window_x} * config.window + square.x < static_cast<int64_t>(frame.raster.width) &&
         int64_t{window_y} * config.window + square.y < static_cast<int64_t>(frame.raster.height))

@@ -23,9 +23,9 @@ struct PuPart {
   uint64_t part = 0;
 };
 
-// Row by row those of the walk; none for a Gaussian whose box touches none. With one part the Gaussian as it is.
-inline std::vector<PuPart> pu_parts(const Config& c, const Conic& conic, uint64_t walk = kWholeWalk) {
-  if (c.parts() == 1) return {{conic, 0}};
+// Row by row those of the walk, in an eye's picture; none for a Gaussian whose box touches none. With one part the Gaussian as it is.
+inline std::vector<PuPart> pu_parts(const Config& c, const Conic& conic, uint64_t walk = kWholeWalk, uint64_t eye = 0) {
+  if (c.squares() == 1) return {{conic, eye}};
   const int side = c.part_side(), to_mean = clog2(side) + c.mean_f;
   const std::optional<PuSpan> xs = pu_span(c, conic.mean_x, conic.extent_x, side, c.parts_x() - 1),
                               ys = pu_span(c, conic.mean_y, conic.extent_y, side, c.parts_x() - 1);
@@ -33,7 +33,7 @@ inline std::vector<PuPart> pu_parts(const Config& c, const Conic& conic, uint64_
   if (!xs || !ys) return parts;
   for (int64_t y = ys->first; y <= ys->last; ++y) {
     for (int64_t x = xs->first; x <= xs->last; ++x) {
-      const auto part = static_cast<uint64_t>(y * c.parts_x() + x);
+      const uint64_t part = eye * static_cast<uint64_t>(c.squares()) + static_cast<uint64_t>(y * c.parts_x() + x);
       if (!walk_has(c, walk, part)) continue;
       parts.push_back({conic, part});
       PuPart& one = parts.back();

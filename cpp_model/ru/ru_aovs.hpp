@@ -33,9 +33,7 @@ inline constexpr std::array<std::string_view, kAovs.size()> kAovNames{"coverage"
 using AovPixels = std::array<std::vector<uint32_t>, kAovs.size()>;
 
 // Whether the machine has it.
-inline bool has_aov(const Config& c, Aov aov) {
-  return (c.aovs_built() >> static_cast<int>(aov) & 1) != 0;
-}
+inline bool has_aov(const Config& c, Aov aov) { return (c.aovs_built() >> static_cast<int>(aov) & 1) != 0; }
 
 // Whether a frame writes it.
 inline bool wants_aov(const Config& c, const Frame& frame, Aov aov) {

@@ -2,6 +2,8 @@
 // ru_lanes.cpp: see ru_lanes.hpp.
 #include "cpp_model/ru/ru_lanes.hpp"
 
+#include "cpp_model/eyes.hpp"
+
 // The loop is compiled twice where the compiler can choose at run time.
 #if defined(__x86_64__) && defined(__linux__)
 #define PIPEGS_CLONES __attribute__((target_clones("avx2", "default")))
@@ -68,11 +70,12 @@ RegionState ru_fresh_region(const Config& config, const Frame& frame, uint64_t w
                             int region) {
   const BlendConstants constants(config);
   RegionState state{};
+  const bool seen = wants_eye(config, frame, region_eye(config, region));
   const uint64_t x0 = window_x * config.window + 8 * static_cast<uint64_t>(region_x(config, region));
   const uint64_t y0 = window_y * config.window + 8 * static_cast<uint64_t>(region_y(config, region));
   for (int i = 0; i < kRegionPixels; ++i) {
     state.t[i] = constants.one;
-    state.done[i] = x0 + i % 8 >= frame.raster.width || y0 + i / 8 >= frame.raster.height;
+    state.done[i] = !seen || x0 + i % 8 >= frame.raster.width || y0 + i / 8 >= frame.raster.height;
   }
   return state;
 }

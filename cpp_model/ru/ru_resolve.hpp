@@ -13,6 +13,7 @@
 
 #include <algorithm>
 
+#include "cpp_model/eyes.hpp"
 #include "cpp_model/records.hpp"
 #include "cpp_model/ru/ru_lanes.hpp"
 
@@ -31,8 +32,10 @@ inline constexpr uint64_t kMostCode = 1023;  // of a colour in 10 bits
 inline uint64_t ru_pixel_line(const Config& c, const Frame& frame, uint64_t window_x, uint64_t window_y, int region,
                               int row) {
   return frame.tables.pixels +
-         ((window_y * ru_windows_x(c, frame) + window_x) * c.regions() + region) * c.region_lines() +
-         row * c.region_lines() / 8;
+         ((window_y * ru_windows_x(c, frame) + window_x) * c.squares() * c.mask_w() +
+          static_cast<uint64_t>(region % (c.squares() * c.mask_w()))) *
+             c.region_lines() +
+         row * c.region_lines() / 8 + static_cast<uint64_t>(region_eye(c, region)) * frame.eyes.lines;
 }
 inline int ru_pixel_bit(const Config& c, int row, int column) {
   return (row % (8 / c.region_lines()) * 8 + column) * c.pixel_w;
@@ -40,7 +43,8 @@ inline int ru_pixel_bit(const Config& c, int row, int column) {
 
 // Whether the region has a pixel inside the image.
 inline bool ru_inside(const Config& c, const Frame& frame, uint64_t window_x, uint64_t window_y, int region) {
-  return window_x * c.window + 8 * static_cast<uint64_t>(region_x(c, region)) < frame.raster.width &&
+  return wants_eye(c, frame, region_eye(c, region)) &&
+         window_x * c.window + 8 * static_cast<uint64_t>(region_x(c, region)) < frame.raster.width &&
          window_y * c.window + 8 * static_cast<uint64_t>(region_y(c, region)) < frame.raster.height;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "cpp_model/dopu/walk.hpp"
+#include "cpp_model/eyes.hpp"
 #include "cpp_model/fixed.hpp"
 #include "cpp_model/pu/pass.hpp"
 
@@ -63,7 +64,7 @@ bool touches(const Config& c, int64_t x, int64_t z, int64_t s, uint64_t focal, u
 }  // namespace
 
 std::optional<Visible> pu_cull(const Config& c, const Frame& frame, const Fetched& in, uint64_t* behind, Gap* gap,
-                               const Closed& closed, Closed* most) {
+                               const Closed& closed, Closed* most, int eye) {
   Visible out;
   out.kind = in.kind;
   if (in.kind != kData) return out;
@@ -76,6 +77,11 @@ std::optional<Visible> pu_cull(const Config& c, const Frame& frame, const Fetche
                        shift, in.origin_y);
   out.view_z = to_view(c, frame.camera.rotation.w20 * x + frame.camera.rotation.w21 * y + frame.camera.rotation.w22 * z,
                        shift, in.origin_z);
+  if (c.eyes > 1) {
+    out.view_x = saturate(out.view_x + eye_shift(frame.eyes.half_x, in.view_exp, eye), c.view_w);
+    out.view_y = saturate(out.view_y + eye_shift(frame.eyes.half_y, in.view_exp, eye), c.view_w);
+    out.eye = static_cast<uint64_t>(eye);
+  }
   const int64_t near = static_cast<int64_t>(frame.lens.near_plane >> in.view_exp);
   if (behind != nullptr && out.view_z <= near) ++*behind;
   if (out.view_z <= (c.near_test ? near : 0)) return std::nullopt;

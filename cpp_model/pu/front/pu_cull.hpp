@@ -38,9 +38,9 @@ inline uint64_t cull_weight(const Config& config, int entry) {
 // Nothing for a Gaussian that is dropped; other beats pass with all other fields zero. `behind` counts those that do
 // not lie beyond the near plane; with NearTest 0 they are kept, but never one with z <= 0 (there the RTL complains).
 // `gap`: what pu_reach needs of a Gaussian that is kept. `closed`: what of the walk needs nothing more (Occlusion);
-// `most` of each side with which it is still kept, the others open.
+// `most` of each side with which it is still kept, the others open. `eye`: in whose view.
 std::optional<Visible> pu_cull(const Config& config, const Frame& frame, const Fetched& fetched,
                                uint64_t* behind = nullptr, Gap* gap = nullptr, const Closed& closed = {},
-                               Closed* most = nullptr);
+                               Closed* most = nullptr, int eye = 0);
 
 }  // namespace pipegs

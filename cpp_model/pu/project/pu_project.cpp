@@ -99,6 +99,7 @@ ProjectedParts pu_project(const Config& c, const Frame& frame, const Visible& in
   payload.index = in.index;
   payload.slot = in.slot;
   payload.walk = in.walk;
+  payload.eye = in.eye;
   return parts;
 }
 

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// eyes: the two cameras of a frame that share one walk (eyes = 2).
+//
+// Paper   None: it renders for headsets, but one picture at a time.
+// Idea    Both eyes have one rotation and one lens and stand on both sides of the frame's position, so a Gaussian has one
+//         depth, one key and one place in the order for both. In view space the first eye sees everything half the
+//         distance further to the right, the second one to the left. What is only to find out whether something can be
+//         seen at all (nodes) is asked for all places between the eyes.
+// Round   Half the distance to nearest in the unit of a chunk's view space, once for both.
+#pragma once
+
+#include "cpp_model/fixed.hpp"
+#include "cpp_model/records.hpp"
+
+namespace pipegs {
+
+inline bool wants_eye(const Config& c, const Frame& frame, int eye) {
+  return c.eyes == 1 || (frame.eyes.wanted >> eye & 1) != 0;
+}
+
+// What is added to a view coordinate, in units of 2^view_exp.
+inline int64_t eye_shift(int64_t half, uint64_t view_exp, int eye) {
+  const int64_t shift = shift_round(half, static_cast<int>(view_exp));
+  return eye == 0 ? shift : -shift;
+}
+
+}  // namespace pipegs
