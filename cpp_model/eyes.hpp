@@ -15,7 +15,7 @@
 namespace pipegs {
 
 inline bool wants_eye(const Config& c, const Frame& frame, int eye) {
-  return c.eyes == 1 || (frame.eyes.wanted >> eye & 1) != 0;
+  return c.eyes == 1 ? eye == 0 : (frame.raster.eyes >> eye & 1) != 0;
 }
 
 // What is added to a view coordinate, in units of 2^view_exp.

@@ -96,6 +96,7 @@ struct Refusal {
       case PIPEGS_SETUP_LISTS: fail_windows(true);
       case PIPEGS_SETUP_MEMORY:
         throw FrameError(fmt::format("camera '{}': scene and pixels do not fit the machine's memory", camera.name));
+      case PIPEGS_SETUP_EYES:
       case PIPEGS_SETUP_SCENE:
       case PIPEGS_SETUP_OK: break;
     }
@@ -172,6 +173,16 @@ pipegs_job frame_job(const Config& config, const PackedScene& scene, const Camer
       pipegs_setup_job(&packed.packed_for, &packed, &taken, windows ? &range : nullptr, &memory, &job);
   if (setup != PIPEGS_SETUP_OK) refusal.tell(setup);
   return job;
+}
+
+void frame_eyes(const Config& config, const PackedScene& scene, const std::array<double, 2>& half, Frame& frame) {
+  pipegs_job job = frame_job(config, frame, Areas{});
+  const pipegs_scene packed = driver_scene(scene);
+  const pipegs_number halves[2] = {number(half[0]), number(half[1])};
+  if (pipegs_setup_eyes(&packed.packed_for, &packed, halves, &job) != PIPEGS_SETUP_OK)
+    throw FrameError(fmt::format("half the way between the eyes is {:g}, {:g}, its magnitude must be below {:g}", half[0],
+                                 half[1], std::ldexp(1.0, config.half_eye_w() - 1 + scene.scene_exponent)));
+  frame = job_frame(config, job);
 }
 
 Frame frame_setup(const Config& config, const PackedScene& scene, const Camera& camera,

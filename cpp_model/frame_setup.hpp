@@ -8,6 +8,7 @@
 //         does not fit its field is an error, never a clamp.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <stdexcept>
 
@@ -34,6 +35,10 @@ inline constexpr double kGuardBand = 1.3;  // of tan(fov / 2), where the Jacobia
 // `windows` defaults to all windows of the image.
 Frame frame_setup(const Config& config, const PackedScene& scene, const Camera& camera,
                   const std::optional<WindowRange>& windows = {}, double near_plane = kNearPlane);
+
+// Lets a frame of a machine with two eyes make the pictures of both, which stand on both sides of its camera; half the
+// way between them in scene units, along its right and its down axis.
+void frame_eyes(const Config& config, const PackedScene& scene, const std::array<double, 2>& half, Frame& frame);
 
 // The same with the sizes of the areas, as the driver queues it: the image at address 0, behind it the pixels, then the
 // overflow areas, as large as a frame of all windows can need.

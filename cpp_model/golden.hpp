@@ -148,6 +148,12 @@ struct GoldenFrame : GoldenPicture {
   std::vector<uint32_t> rank;  // by scene index: position in the hardware's order (layer, depth key, index)
 };
 
+// What lies in memory of a picture, as in its GoldenPicture.
+struct Written {
+  std::vector<uint64_t> pixels;  // by windows as ru_resolve, in raster order as ru_rgba8 gives them
+  AovPixels aovs;
+};
+
 struct GoldenOptions {
   unsigned threads = 0;
   std::function<void(double)> progress;  // share done; may throw to stop

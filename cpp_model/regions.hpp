@@ -23,6 +23,7 @@ inline int region_part(const Config& c, int region) { return region / c.mask_w()
 inline int region_bit(const Config& c, int region) { return region % c.mask_w(); }
 inline int region_number(const Config& c, uint64_t part, int bit) { return static_cast<int>(part) * c.mask_w() + bit; }
 
+inline uint64_t part_square(const Config& c, uint64_t part) { return part % static_cast<uint64_t>(c.squares()); }
 inline int part_eye(const Config& c, int part) { return part / c.squares(); }
 inline int region_eye(const Config& c, int region) { return part_eye(c, region_part(c, region)); }
 

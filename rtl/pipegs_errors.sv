@@ -41,11 +41,11 @@ module pipegs_errors #(
   localparam int unsigned Shift   = $clog2(pipegs_pkg::Window);
   localparam int unsigned SideW   = WindowW + Shift + 1;  // pixels
   localparam int unsigned NumberW = 2 * WindowW + 1;
-  localparam int unsigned LinesW  = $clog2(pipegs_pkg::RegionLines * pipegs_pkg::Regions);  // of a window, log2
+  localparam int unsigned LinesW  = $clog2(pipegs_pkg::RegionLines * pipegs_pkg::Squares * pipegs_pkg::MaskW);  // a window
   localparam int unsigned TilesW  = NumberW + LinesW;
   localparam int unsigned RowsW   = SizeW + StrideW + 1;
   localparam int unsigned NeedW   = TilesW > RowsW ? TilesW : RowsW;
-  localparam int unsigned MostW   = NeedW > AddressW ? NeedW : AddressW;
+  localparam int unsigned MostW   = (NeedW > AddressW ? NeedW : AddressW) + (pipegs_pkg::Eyes > 1 ? 1 : 0);
   localparam int unsigned InLine  = $clog2(pipegs_pkg::MemoryW / 32);  // pixels of raster order in a line, log2
 
   // --- pixels: by windows all up to the last one of the frame; else to the last row and column of the frame ---------
@@ -54,6 +54,7 @@ module pipegs_errors #(
   logic [SideW-1:0]   right, below;     // of the frame: the first column and row behind its last window
   logic [SizeW-1:0]   rows_q, width_q;  // of the picture that may be written
   logic [NeedW-1:0]   raster, need_q;   // lines
+  logic [MostW-1:0]   need;
   logic [1:0]         begun_q;
   logic               no_room;
 
@@ -62,7 +63,12 @@ module pipegs_errors #(
   assign below   = (SideW'(raster_i.windows.last_y) + 1'b1) << Shift;
   assign raster  = NeedW'(SizeW'(rows_q - 1'b1)) * NeedW'(stride_i) +
                    (NeedW'(SizeW'(width_q - 1'b1)) >> InLine) + NeedW'(1);
-  assign no_room = begun_q[1] && MostW'(need_q) > MostW'(pixels_i.lines);
+  if (pipegs_pkg::Eyes > 1) begin : gen_eyes  // up to the end of the second one's picture
+    assign need = MostW'(need_q) + (raster_i.eyes[1] ? MostW'(raster_i.eye_lines) : '0);
+  end else begin : gen_one_eye
+    assign need = MostW'(need_q);
+  end
+  assign no_room = begun_q[1] && need > MostW'(pixels_i.lines);
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begun_q <= '0;
@@ -92,7 +98,7 @@ module pipegs_errors #(
   assign outgrown[0]         = no_room;
   assign ends[AddressW-1:0]  = pixels_i.first + pixels_i.lines;
   if (pipegs_pkg::HasAovs) begin : gen_aovs
-    assign outgrown[1] = begun_q[1] && raster_i.aovs.wanted != '0 && MostW'(need_q) > MostW'(raster_i.aovs.lines);
+    assign outgrown[1] = begun_q[1] && raster_i.aovs.wanted != '0 && need > MostW'(raster_i.aovs.lines);
     assign ends[AddressW +: AddressW] = raster_i.aovs.base + raster_i.aovs.lines;
   end
   pipegs_first_line #(.Ports(2 + Places)) u_full (

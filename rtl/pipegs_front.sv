@@ -127,6 +127,13 @@ module pipegs_front #(
     .bad_line_o(dopu_bad_line)
   );
 
+  logic [pipegs_pkg::SeenEyesW-1:0] eyes;
+  if (pipegs_pkg::Eyes > 1) begin : gen_eyes
+    assign eyes = {frame_i.raster.eyes, frame_i.eyes.half_y, frame_i.eyes.half_x};
+  end else begin : gen_one_eye
+    assign eyes = '0;
+  end
+
   for (genvar k = 0; k < Units; k += 1) begin : gen_unit
     logic pu_clk;
     assign reads_o.lines[Colors+k] = '0;  // colours come a line at a time
@@ -147,6 +154,7 @@ module pipegs_front #(
       .areas_i,
       .windows_i(frame_i.raster.windows),
       .open_i(open),
+      .eyes_i(eyes),
       .unit_i(pipegs_pkg::UnitW'(k)),
       .restart_i,
       .chunk_valid_i(chunk_valid[k]),

@@ -22,6 +22,7 @@ module pipegs_open (
   localparam int unsigned Regions = pipegs_pkg::Regions;
   localparam int unsigned MaskW   = pipegs_pkg::MaskW;
   localparam int unsigned Parts   = pipegs_pkg::Parts;
+  localparam int unsigned Squares = pipegs_pkg::Squares;
   localparam int unsigned PartsX  = pipegs_pkg::PartsX;
   localparam int unsigned PartX   = pipegs_pkg::PartRegionsX;
   localparam int unsigned SideX   = PartsX * PartX;  // regions along the window's side
@@ -47,7 +48,7 @@ module pipegs_open (
   end
 
   // --- columns and rows that hold one -------------------------------------------------------------------------------
-  logic [Parts*PartX-1:0] columns, rows;  // of each part
+  logic [Squares*PartX-1:0] columns, rows;  // of each square, in any eye's picture
   logic [SideX-1:0]       all_columns, all_rows;
   always_comb begin
     columns     = '0;
@@ -57,10 +58,10 @@ module pipegs_open (
     for (int unsigned p = 0; p < Parts; p += 1) begin
       for (int unsigned r = 0; r < MaskW; r += 1) begin
         if (open[p*MaskW+r]) begin
-          columns[p*PartX + r%PartX]              = 1'b1;
-          rows[p*PartX + r/PartX]                 = 1'b1;
-          all_columns[(p%PartsX)*PartX + r%PartX] = 1'b1;
-          all_rows[(p/PartsX)*PartX + r/PartX]    = 1'b1;
+          columns[p%Squares*PartX + r%PartX]           = 1'b1;
+          rows[p%Squares*PartX + r/PartX]              = 1'b1;
+          all_columns[(p%PartsX)*PartX + r%PartX]      = 1'b1;
+          all_rows[(p%Squares/PartsX)*PartX + r/PartX] = 1'b1;
         end
       end
     end

@@ -13,6 +13,8 @@ package pipegs_pkg;
   localparam int unsigned PixelsPerRow   = 2;  // pixels that one Row Unit computes in a cycle
   // side of a window (16, 32, 64 or 128); regions are 8x8 pixels, a window of 128 has four parts of 64
   localparam int unsigned Window         = 128;
+  // cameras side by side whose pictures one walk of a window makes: 1 or 2 (2 needs quads, pixel_w = 32)
+  localparam int unsigned Eyes           = 1;
   localparam int unsigned Grid           = 4;  // cells of the orthogonal grid along one axis; 4 outdoor, 8 indoor
   localparam int unsigned Chunk          = 16;  // most Gaussians in one chunk
   localparam int unsigned Group          = 16;  // most chunks in one group, the node between a cell and its chunks
@@ -142,20 +144,33 @@ package pipegs_pkg;
   localparam int unsigned TableCells     = 256;
   localparam int unsigned Slabs          = 1;  // slabs of a window's walk
   localparam int unsigned SlabCells      = 256;  // entries of the table in a slab
-  localparam int unsigned PartsX         = 2;  // parts along a window's side
-  // parts of a window, numbered row by row: what masks, coefficients and powers are made for
+  localparam int unsigned PartsX         = 2;  // squares along a window's side
+  localparam int unsigned Squares        = 4;  // of a window, numbered row by row
+  localparam int unsigned SquareW        = 2;  // number of a square; absent when a window has one
+  localparam int unsigned EyeW           = 0;  // number of an eye; absent when there is one
+  localparam int unsigned EyesW          = 0;  // one bit for each; absent likewise
+  // half the distance between the eyes, signed, world units; absent likewise
+  localparam int unsigned HalfEyeW       = 0;
+  localparam int unsigned EyeReachW      = 0;  // the same along a world axis, unsigned; absent likewise
+  localparam int unsigned BoxReachW      = 1;  // the same where there may be none: 0 then
+  // what a cull knows of the eyes: which are wanted, half_y, half_x; of one eye 0
+  localparam int unsigned SeenEyesW      = 4;
+  localparam int unsigned EyeLengthW     = 0;  // bits of such a distance; absent likewise
+  localparam int unsigned EyeAddressW    = 0;  // lines of a picture; absent likewise
+  // parts of a window, a square in an eye: what masks, coefficients and powers are made for
   localparam int unsigned Parts          = 4;
-  localparam int unsigned PartW          = 2;  // number of a part; absent when a window has one
+  localparam int unsigned PartW          = 2;  // number of a part: its eye above its square; absent when there is one
   localparam int unsigned PartSide       = 64;  // side of a part in pixels
   localparam int unsigned PartRegionsX   = 8;  // regions along a part's side
   localparam int unsigned MaskW          = 64;  // regions of a part, bits of its mask
   localparam int unsigned MaskIndexW     = 6;  // index of a region in its part, row by row
   localparam int unsigned Regions        = 256;  // regions of a window
   localparam int unsigned RegionW        = 8;  // index of a region in its window: its part above its index in the part
+  localparam int unsigned PlacesW        = 4;  // column or row of a region in its window
   // columns or rows of regions of a window, from one side, in which none is open
   localparam int unsigned ClosedW        = 4;
   localparam bit HasWalks                = 1'b1;  // a window may be walked part by part
-  // what a walk covers: 0 its window, else the upper bit and below it the one part; absent where all are of windows
+  // what a walk covers: 0 its window, else the upper bit and below it the one square; absent where all are of windows
   localparam int unsigned WalkW          = 3;
   localparam int unsigned WalkMostW      = 24;  // Gaussians of a walk; absent likewise
   // what a beat is: 0 data, 1 end of layer, 2 end of window (and of its last layer), 3 end of a walk of a part that is
@@ -1373,7 +1388,7 @@ package pipegs_pkg;
   // Registers that the configuration fixes: {offset of 16 bits, value of 32}.
   localparam int unsigned ControlConstants = 16;
   localparam logic [ControlConstants*48-1:0] ControlConstantTable = {
-    48'h00ac_00000000,  // CONFIG_AOVS
+    48'h00ac_00000100,  // CONFIG_AOVS
     48'h00a8_00000012,  // CONFIG_LESS
     48'h00a4_00040100,  // CONFIG_OVERFLOW
     48'h00a0_00ff4022,  // CONFIG_MEMORY
@@ -1385,8 +1400,8 @@ package pipegs_pkg;
     48'h0088_060c1012,  // CONFIG_GAUSSIAN
     48'h0084_10030e52,  // CONFIG_POINT
     48'h0080_10048004,  // CONFIG_COUNTS
-    48'h000c_ba4723ab,  // CONFIG_HASH
-    48'h0008_360fd387,  // LAYOUT
+    48'h000c_fcf4ac30,  // CONFIG_HASH
+    48'h0008_798d1f9d,  // LAYOUT
     48'h0004_00030002,  // VERSION
     48'h0000_47504950  // ID
   };
@@ -1402,7 +1417,7 @@ package pipegs_pkg;
   // offset of its low word (16 bits), lowest bit of its value in what is queued (16), width of the value (8),
   // bit of the slot at which it begins (8), 1 if it is signed (8)}.
   localparam int unsigned ControlShadowBits = 1605;
-  localparam int unsigned ControlSlots = 66;
+  localparam int unsigned ControlSlots = 74;
   localparam logic [ControlSlots*56-1:0] ControlSlotTable = {
     56'h0490_0639_0c_06_00,  // stride
     56'h0488_0617_22_06_00,  // base
@@ -1415,45 +1430,53 @@ package pipegs_pkg;
     56'h0410_054a_22_06_00,  // chunks
     56'h0408_0528_22_06_00,  // groups
     56'h0400_0506_22_06_00,  // cells
-    56'h03b0_04ee_18_00_00,  // walk_most
-    56'h03a8_04ee_00_00_00,  // lod
-    56'h03a0_04ee_00_06_00,  // raster.aovs.lines
-    56'h0398_04ee_00_06_00,  // raster.aovs.base
-    56'h0390_04ee_00_00_00,  // raster.aovs.range
-    56'h0388_04ee_00_00_00,  // raster.aovs.wanted
-    56'h0380_04dc_12_00_00,  // raster.rest
-    56'h0378_04d2_0a_00_00,  // raster.windows.last_y
-    56'h0370_04c8_0a_00_00,  // raster.windows.last_x
-    56'h0368_04be_0a_00_00,  // raster.windows.first_y
-    56'h0360_04b4_0a_00_00,  // raster.windows.first_x
-    56'h0358_04a5_0f_00_00,  // raster.height
-    56'h0350_0496_0f_00_00,  // raster.width
-    56'h0348_0474_22_06_00,  // tables.overflow
-    56'h0340_0452_22_06_00,  // tables.pixels
-    56'h0338_0452_00_00_00,  // tables.antialias
-    56'h0330_0450_02_00_00,  // tables.sh_degree
-    56'h0328_042e_22_06_00,  // tables.colors
-    56'h0320_040c_22_06_00,  // tables.gaussians
-    56'h0318_03ea_22_06_00,  // tables.chunks
-    56'h0310_03c8_22_06_00,  // tables.groups
-    56'h0308_03a6_22_06_00,  // tables.cells
-    56'h0300_038a_1c_00_00,  // grid.scale_z
-    56'h02f8_036e_1c_00_00,  // grid.scale_y
-    56'h02f0_0352_1c_00_00,  // grid.scale_x
-    56'h02e8_032a_28_00_01,  // grid.low.z
-    56'h02e0_0302_28_00_01,  // grid.low.y
-    56'h02d8_02da_28_00_01,  // grid.low.x
-    56'h02d0_02b2_28_00_00,  // lens.near_plane
-    56'h02c8_02a5_0d_00_00,  // lens.spread_y
-    56'h02c0_0298_0d_00_00,  // lens.spread_x
-    56'h02b8_0278_20_00_00,  // lens.reach_y
-    56'h02b0_0258_20_00_00,  // lens.reach_x
-    56'h02a8_023d_1b_00_00,  // lens.limit_y
-    56'h02a0_0222_1b_00_00,  // lens.limit_x
-    56'h0298_0206_1c_00_01,  // lens.center_y
-    56'h0290_01ea_1c_00_01,  // lens.center_x
-    56'h0288_01ce_1c_00_00,  // lens.focal_y
-    56'h0280_01b2_1c_00_00,  // lens.focal_x
+    56'h03f0_04ee_18_00_00,  // walk_most
+    56'h03e8_04ee_00_00_00,  // lod
+    56'h03e0_04ee_00_06_00,  // raster.aovs.lines
+    56'h03d8_04ee_00_06_00,  // raster.aovs.base
+    56'h03d0_04ee_00_00_00,  // raster.aovs.range
+    56'h03c8_04ee_00_00_00,  // raster.aovs.wanted
+    56'h03c0_04ee_00_06_00,  // raster.eye_lines
+    56'h03b8_04ee_00_00_00,  // raster.eyes
+    56'h03b0_04dc_12_00_00,  // raster.rest
+    56'h03a8_04d2_0a_00_00,  // raster.windows.last_y
+    56'h03a0_04c8_0a_00_00,  // raster.windows.last_x
+    56'h0398_04be_0a_00_00,  // raster.windows.first_y
+    56'h0390_04b4_0a_00_00,  // raster.windows.first_x
+    56'h0388_04a5_0f_00_00,  // raster.height
+    56'h0380_0496_0f_00_00,  // raster.width
+    56'h0378_0474_22_06_00,  // tables.overflow
+    56'h0370_0452_22_06_00,  // tables.pixels
+    56'h0368_0452_00_00_00,  // tables.antialias
+    56'h0360_0450_02_00_00,  // tables.sh_degree
+    56'h0358_042e_22_06_00,  // tables.colors
+    56'h0350_040c_22_06_00,  // tables.gaussians
+    56'h0348_03ea_22_06_00,  // tables.chunks
+    56'h0340_03c8_22_06_00,  // tables.groups
+    56'h0338_03a6_22_06_00,  // tables.cells
+    56'h0330_038a_1c_00_00,  // grid.scale_z
+    56'h0328_036e_1c_00_00,  // grid.scale_y
+    56'h0320_0352_1c_00_00,  // grid.scale_x
+    56'h0318_032a_28_00_01,  // grid.low.z
+    56'h0310_0302_28_00_01,  // grid.low.y
+    56'h0308_02da_28_00_01,  // grid.low.x
+    56'h0300_02b2_28_00_00,  // lens.near_plane
+    56'h02f8_02a5_0d_00_00,  // lens.spread_y
+    56'h02f0_0298_0d_00_00,  // lens.spread_x
+    56'h02e8_0278_20_00_00,  // lens.reach_y
+    56'h02e0_0258_20_00_00,  // lens.reach_x
+    56'h02d8_023d_1b_00_00,  // lens.limit_y
+    56'h02d0_0222_1b_00_00,  // lens.limit_x
+    56'h02c8_0206_1c_00_01,  // lens.center_y
+    56'h02c0_01ea_1c_00_01,  // lens.center_x
+    56'h02b8_01ce_1c_00_00,  // lens.focal_y
+    56'h02b0_01b2_1c_00_00,  // lens.focal_x
+    56'h02a8_01b2_00_00_00,  // eyes.reach_z
+    56'h02a0_01b2_00_00_00,  // eyes.reach_y
+    56'h0298_01b2_00_00_00,  // eyes.reach_x
+    56'h0290_01b2_00_00_00,  // eyes.length
+    56'h0288_01b2_00_00_01,  // eyes.half_y
+    56'h0280_01b2_00_00_01,  // eyes.half_x
     56'h0278_019e_14_00_01,  // camera.quaternion.z
     56'h0270_018a_14_00_01,  // camera.quaternion.y
     56'h0268_0176_14_00_01,  // camera.quaternion.x

@@ -2,6 +2,7 @@
 // frame_areas.cpp: see frame_areas.hpp.
 #include "cpp_model/areas/frame_areas.hpp"
 
+#include "cpp_model/eyes.hpp"
 #include "cpp_model/frame_setup.hpp"
 
 namespace pipegs {
@@ -40,9 +41,10 @@ Areas frame_areas(const Config& config, const PackedScene& scene, const Frame& f
   areas.chunks = at.gaussians - at.chunks;
   areas.gaussians = at.colors - at.gaussians;
   areas.colors = at.pixels - at.colors;
-  areas.pixels = pixel_area(config, frame.raster.width, frame.raster.height);
+  areas.pixels = static_cast<uint64_t>(config.eyes) * pixel_area(config, frame.raster.width, frame.raster.height);
   areas.overflow = overflow_area(config, scene.gaussians.size(), frame_windows(frame));
   areas.picture = picture.format != 0 ? picture.stride * frame.raster.height : 0;
+  if (picture.format != 0 && wants_eye(config, frame, 1)) areas.picture += frame.raster.eye_lines;
   return areas;
 }
 

@@ -28,9 +28,7 @@ inline Chunk dopu_origin(const Config& config, const Frame& frame, const Node& n
   Uint128 magnitudes = 0;
   for (const Int128& v : origin) magnitudes |= static_cast<Uint128>(v < 0 ? ~v : v);
   int length = std::max(bit_length(magnitudes) - config.rot_f(), config.pos_w + static_cast<int>(node.offset_exp));
-  if (const uint64_t halves = static_cast<uint64_t>(std::abs(frame.eyes.half_x) | std::abs(frame.eyes.half_y));
-      halves != 0)
-    length = std::max(length, bit_length(halves)) + 1;
+  if (frame.eyes.length != 0) length = std::max(length, static_cast<int>(frame.eyes.length)) + 1;
   const int view_exp = std::max(0, length + 2 - config.view_w), shift = view_exp + config.rot_f();
   Chunk chunk;
   chunk.kind = kData;

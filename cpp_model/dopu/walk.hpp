@@ -10,6 +10,7 @@
 #include <cstdint>
 
 #include "cpp_model/config.hpp"
+#include "cpp_model/regions.hpp"
 
 namespace pipegs {
 
@@ -18,7 +19,7 @@ inline constexpr uint64_t kWholeWalk = 0;
 inline uint64_t walk_of(const Config& c, uint64_t square) { return uint64_t{1} << c.square_w() | square; }
 inline uint64_t walk_part(const Config& c, uint64_t walk) { return walk & (static_cast<uint64_t>(c.squares()) - 1); }
 inline bool walk_has(const Config& c, uint64_t walk, uint64_t part) {
-  return walk == kWholeWalk || walk_part(c, walk) == part % static_cast<uint64_t>(c.squares());
+  return walk == kWholeWalk || walk_part(c, walk) == part_square(c, part);
 }
 
 // First column and row of pixels in the window, and its side.

@@ -199,6 +199,37 @@ static uint32_t most_lists(const struct pipegs_configuration *config) {
   return UINT32_C(1) << (config->window == TILE ? TILE_LIST_WINDOW_W : LIST_WINDOW_W);
 }
 
+/* Of two products with entries of the rotation: what both reach along a world axis, a unit up. */
+static uint64_t along(const struct pipegs_configuration *config, int64_t right, int64_t x, int64_t down, int64_t y) {
+  const struct pipegs_wide sum =
+      pipegs_wide_add(pipegs_wide_multiply((uint64_t)(right < 0 ? -right : right), (uint64_t)(x < 0 ? -x : x)),
+                      pipegs_wide_multiply((uint64_t)(down < 0 ? -down : down), (uint64_t)(y < 0 ? -y : y)));
+  return pipegs_wide_right(sum, (int)config->rot_w - ROTATION_BITS).low + 1;
+}
+
+enum pipegs_setup pipegs_setup_eyes(const struct pipegs_configuration *config, const struct pipegs_scene *scene,
+                                    const struct pipegs_number half[2], struct pipegs_job *job) {
+  struct pipegs_frame *const frame = &job->frame;
+  int64_t x, y;
+  uint64_t larger;
+  if (config->eyes < 2 || !signed_field(half[0], -scene->exponent, config->half_eye_w, &x) ||
+      !signed_field(half[1], -scene->exponent, config->half_eye_w, &y)) {
+    return PIPEGS_SETUP_EYES;
+  }
+  frame->eyes_half_x = x;
+  frame->eyes_half_y = y;
+  frame->eyes_length = 0;
+  for (larger = (uint64_t)(x < 0 ? -x : x) | (uint64_t)(y < 0 ? -y : y); larger != 0; larger >>= 1) ++frame->eyes_length;
+  frame->eyes_reach_x = frame->eyes_reach_y = frame->eyes_reach_z = 0;
+  if (frame->eyes_length != 0) {
+    frame->eyes_reach_x = along(config, frame->camera_rotation_w00, x, frame->camera_rotation_w10, y);
+    frame->eyes_reach_y = along(config, frame->camera_rotation_w01, x, frame->camera_rotation_w11, y);
+    frame->eyes_reach_z = along(config, frame->camera_rotation_w02, x, frame->camera_rotation_w12, y);
+  }
+  frame->raster_eyes = 3;
+  return PIPEGS_SETUP_OK;
+}
+
 static uint32_t windows_along(const struct pipegs_configuration *config, uint32_t pixels) {
   return (pixels + config->window - 1) / config->window;
 }
@@ -276,8 +307,8 @@ struct pipegs_memory pipegs_place(const struct pipegs_configuration *config, con
   struct pipegs_memory memory;
   memory.scene = image;
   memory.pixels = image + scene->size;
-  memory.aovs = memory.pixels + pixels;
-  memory.overflow = (memory.aovs + aovs_of(config) * pixels + PIPEGS_OVERFLOW_ALIGNMENT - 1) /
+  memory.aovs = memory.pixels + config->eyes * pixels;
+  memory.overflow = (memory.aovs + aovs_of(config) * config->eyes * pixels + PIPEGS_OVERFLOW_ALIGNMENT - 1) /
                     PIPEGS_OVERFLOW_ALIGNMENT * PIPEGS_OVERFLOW_ALIGNMENT;
   memory.overflow_size = pipegs_overflow_size(config, scene->slots, windows);
   return memory;
@@ -369,8 +400,12 @@ enum pipegs_setup pipegs_setup_job(const struct pipegs_configuration *config, co
   if (config->aovs != 0) {
     frame->raster_aovs_range = farthest(config, scene, frame);
     frame->raster_aovs_base = memory->aovs;
-    frame->raster_aovs_lines = pipegs_pixels_size(config, camera);
+    frame->raster_aovs_lines = config->eyes * pipegs_pixels_size(config, camera);
+  }
+  if (config->eyes > 1) {
+    frame->raster_eyes = 1;
+    frame->raster_eye_lines = pipegs_pixels_size(config, camera);
   }
   frame->walk_most = config->order == 2 && config->parts > 1 ? PIPEGS_WALK_MOST : 0;
-  return set_tables(config, scene, memory, pipegs_pixels_size(config, camera), job);
+  return set_tables(config, scene, memory, config->eyes * pipegs_pixels_size(config, camera), job);
 }

@@ -94,6 +94,7 @@ enum pipegs_setup {
   PIPEGS_SETUP_HEIGHT,
   PIPEGS_SETUP_WINDOWS, /* not within the picture */
   PIPEGS_SETUP_LISTS,   /* more windows than lists (order = 1) */
+  PIPEGS_SETUP_EYES,    /* no machine for two, or too far apart */
   PIPEGS_SETUP_MEMORY   /* an address that is not aligned or that the machine does not have */
 };
 
@@ -120,6 +121,13 @@ struct pipegs_memory pipegs_place(const struct pipegs_configuration *config, con
 enum pipegs_setup pipegs_setup_job(const struct pipegs_configuration *config, const struct pipegs_scene *scene,
                                    const struct pipegs_camera *camera, const struct pipegs_windows *windows,
                                    const struct pipegs_memory *memory, struct pipegs_job *job);
+
+/* Two eyes (a machine with eyes = 2): the camera stands between them, and the second one `half` further to its right and
+ * down (scene units) than the first one. Both have its rotation and lens. Makes `job` write both pictures: that of the
+ * second eye lies behind that of the first one by windows, as does each AOV of it; in raster order frame.raster_eye_lines
+ * (bytes) is to be set so that both have room. Without it only the first eye's picture is made, that of the camera. */
+enum pipegs_setup pipegs_setup_eyes(const struct pipegs_configuration *config, const struct pipegs_scene *scene,
+                                    const struct pipegs_number half[2], struct pipegs_job *job);
 
 /* The field lens.spread_x or _y of a rounded focal length, for a machine that has it (tight_cull). */
 uint64_t pipegs_spread(uint32_t alpha_cut, uint64_t focal);

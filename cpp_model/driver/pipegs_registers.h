@@ -22,7 +22,7 @@
 
 #define PIPEGS_LAYOUT 0x008u /* which table of registers this is */
 #define PIPEGS_LAYOUT_HASH 0xffffffffu /* FNV-1a of all names and places: the driver has the same */
-#define PIPEGS_LAYOUT_VALUE 0x360fd387u
+#define PIPEGS_LAYOUT_VALUE 0x798d1f9du
 
 #define PIPEGS_CONFIG_HASH 0x00cu /* which machine this is */
 #define PIPEGS_CONFIG_HASH_HASH 0xffffffffu /* FNV-1a of name=value; of every choice in config.def */
@@ -208,9 +208,13 @@
 
 #define PIPEGS_CONFIG_AOVS 0x0acu /* what a frame can write of its pixels beside their colours */
 #define PIPEGS_CONFIG_AOVS_AOVS 0x0000000fu /* one bit each, as in raster.aovs.wanted */
+#define PIPEGS_CONFIG_AOVS_EYES 0x00000f00u /* pictures that one frame makes */
+#define PIPEGS_CONFIG_AOVS_EYES_SHIFT 8
+#define PIPEGS_CONFIG_AOVS_HALF_EYE_W 0x00ff0000u /* half the way from one to the other; 0: absent */
+#define PIPEGS_CONFIG_AOVS_HALF_EYE_W_SHIFT 16
 
 #define PIPEGS_FRAME 0x200u /* parameters of the frame, each field of frame_t */
-#define PIPEGS_FRAME_SLOTS 55
+#define PIPEGS_FRAME_SLOTS 63
 #define PIPEGS_FRAME_CAMERA_POSITION_X 0x200u
 #define PIPEGS_FRAME_CAMERA_POSITION_Y 0x208u
 #define PIPEGS_FRAME_CAMERA_POSITION_Z 0x210u
@@ -227,45 +231,53 @@
 #define PIPEGS_FRAME_CAMERA_QUATERNION_X 0x268u
 #define PIPEGS_FRAME_CAMERA_QUATERNION_Y 0x270u
 #define PIPEGS_FRAME_CAMERA_QUATERNION_Z 0x278u
-#define PIPEGS_FRAME_LENS_FOCAL_X 0x280u
-#define PIPEGS_FRAME_LENS_FOCAL_Y 0x288u
-#define PIPEGS_FRAME_LENS_CENTER_X 0x290u
-#define PIPEGS_FRAME_LENS_CENTER_Y 0x298u
-#define PIPEGS_FRAME_LENS_LIMIT_X 0x2a0u
-#define PIPEGS_FRAME_LENS_LIMIT_Y 0x2a8u
-#define PIPEGS_FRAME_LENS_REACH_X 0x2b0u
-#define PIPEGS_FRAME_LENS_REACH_Y 0x2b8u
-#define PIPEGS_FRAME_LENS_SPREAD_X 0x2c0u
-#define PIPEGS_FRAME_LENS_SPREAD_Y 0x2c8u
-#define PIPEGS_FRAME_LENS_NEAR_PLANE 0x2d0u
-#define PIPEGS_FRAME_GRID_LOW_X 0x2d8u
-#define PIPEGS_FRAME_GRID_LOW_Y 0x2e0u
-#define PIPEGS_FRAME_GRID_LOW_Z 0x2e8u
-#define PIPEGS_FRAME_GRID_SCALE_X 0x2f0u
-#define PIPEGS_FRAME_GRID_SCALE_Y 0x2f8u
-#define PIPEGS_FRAME_GRID_SCALE_Z 0x300u
-#define PIPEGS_FRAME_TABLES_CELLS 0x308u
-#define PIPEGS_FRAME_TABLES_GROUPS 0x310u
-#define PIPEGS_FRAME_TABLES_CHUNKS 0x318u
-#define PIPEGS_FRAME_TABLES_GAUSSIANS 0x320u
-#define PIPEGS_FRAME_TABLES_COLORS 0x328u
-#define PIPEGS_FRAME_TABLES_SH_DEGREE 0x330u
-#define PIPEGS_FRAME_TABLES_ANTIALIAS 0x338u
-#define PIPEGS_FRAME_TABLES_PIXELS 0x340u
-#define PIPEGS_FRAME_TABLES_OVERFLOW 0x348u
-#define PIPEGS_FRAME_RASTER_WIDTH 0x350u
-#define PIPEGS_FRAME_RASTER_HEIGHT 0x358u
-#define PIPEGS_FRAME_RASTER_WINDOWS_FIRST_X 0x360u
-#define PIPEGS_FRAME_RASTER_WINDOWS_FIRST_Y 0x368u
-#define PIPEGS_FRAME_RASTER_WINDOWS_LAST_X 0x370u
-#define PIPEGS_FRAME_RASTER_WINDOWS_LAST_Y 0x378u
-#define PIPEGS_FRAME_RASTER_REST 0x380u
-#define PIPEGS_FRAME_RASTER_AOVS_WANTED 0x388u
-#define PIPEGS_FRAME_RASTER_AOVS_RANGE 0x390u
-#define PIPEGS_FRAME_RASTER_AOVS_BASE 0x398u
-#define PIPEGS_FRAME_RASTER_AOVS_LINES 0x3a0u
-#define PIPEGS_FRAME_LOD 0x3a8u
-#define PIPEGS_FRAME_WALK_MOST 0x3b0u
+#define PIPEGS_FRAME_EYES_HALF_X 0x280u
+#define PIPEGS_FRAME_EYES_HALF_Y 0x288u
+#define PIPEGS_FRAME_EYES_LENGTH 0x290u
+#define PIPEGS_FRAME_EYES_REACH_X 0x298u
+#define PIPEGS_FRAME_EYES_REACH_Y 0x2a0u
+#define PIPEGS_FRAME_EYES_REACH_Z 0x2a8u
+#define PIPEGS_FRAME_LENS_FOCAL_X 0x2b0u
+#define PIPEGS_FRAME_LENS_FOCAL_Y 0x2b8u
+#define PIPEGS_FRAME_LENS_CENTER_X 0x2c0u
+#define PIPEGS_FRAME_LENS_CENTER_Y 0x2c8u
+#define PIPEGS_FRAME_LENS_LIMIT_X 0x2d0u
+#define PIPEGS_FRAME_LENS_LIMIT_Y 0x2d8u
+#define PIPEGS_FRAME_LENS_REACH_X 0x2e0u
+#define PIPEGS_FRAME_LENS_REACH_Y 0x2e8u
+#define PIPEGS_FRAME_LENS_SPREAD_X 0x2f0u
+#define PIPEGS_FRAME_LENS_SPREAD_Y 0x2f8u
+#define PIPEGS_FRAME_LENS_NEAR_PLANE 0x300u
+#define PIPEGS_FRAME_GRID_LOW_X 0x308u
+#define PIPEGS_FRAME_GRID_LOW_Y 0x310u
+#define PIPEGS_FRAME_GRID_LOW_Z 0x318u
+#define PIPEGS_FRAME_GRID_SCALE_X 0x320u
+#define PIPEGS_FRAME_GRID_SCALE_Y 0x328u
+#define PIPEGS_FRAME_GRID_SCALE_Z 0x330u
+#define PIPEGS_FRAME_TABLES_CELLS 0x338u
+#define PIPEGS_FRAME_TABLES_GROUPS 0x340u
+#define PIPEGS_FRAME_TABLES_CHUNKS 0x348u
+#define PIPEGS_FRAME_TABLES_GAUSSIANS 0x350u
+#define PIPEGS_FRAME_TABLES_COLORS 0x358u
+#define PIPEGS_FRAME_TABLES_SH_DEGREE 0x360u
+#define PIPEGS_FRAME_TABLES_ANTIALIAS 0x368u
+#define PIPEGS_FRAME_TABLES_PIXELS 0x370u
+#define PIPEGS_FRAME_TABLES_OVERFLOW 0x378u
+#define PIPEGS_FRAME_RASTER_WIDTH 0x380u
+#define PIPEGS_FRAME_RASTER_HEIGHT 0x388u
+#define PIPEGS_FRAME_RASTER_WINDOWS_FIRST_X 0x390u
+#define PIPEGS_FRAME_RASTER_WINDOWS_FIRST_Y 0x398u
+#define PIPEGS_FRAME_RASTER_WINDOWS_LAST_X 0x3a0u
+#define PIPEGS_FRAME_RASTER_WINDOWS_LAST_Y 0x3a8u
+#define PIPEGS_FRAME_RASTER_REST 0x3b0u
+#define PIPEGS_FRAME_RASTER_EYES 0x3b8u
+#define PIPEGS_FRAME_RASTER_EYE_LINES 0x3c0u
+#define PIPEGS_FRAME_RASTER_AOVS_WANTED 0x3c8u
+#define PIPEGS_FRAME_RASTER_AOVS_RANGE 0x3d0u
+#define PIPEGS_FRAME_RASTER_AOVS_BASE 0x3d8u
+#define PIPEGS_FRAME_RASTER_AOVS_LINES 0x3e0u
+#define PIPEGS_FRAME_LOD 0x3e8u
+#define PIPEGS_FRAME_WALK_MOST 0x3f0u
 
 #define PIPEGS_AREAS 0x400u /* sizes of what lies at the addresses of the frame */
 #define PIPEGS_AREAS_SLOTS 8
@@ -409,6 +421,13 @@ struct pipegs_frame {
   int64_t camera_quaternion_x; /* the same rotation */
   int64_t camera_quaternion_y; /* the same rotation */
   int64_t camera_quaternion_z; /* the same rotation */
+  /* half of the way from the first eye, at position - half, to the second one, along the right axis, world units */
+  int64_t eyes_half_x;
+  int64_t eyes_half_y; /* along its down axis */
+  uint64_t eyes_length; /* bits of the larger one's magnitude; 0: the eyes are one */
+  uint64_t eyes_reach_x; /* of both along a world axis, rounded up */
+  uint64_t eyes_reach_y; /* of both along a world axis, rounded up */
+  uint64_t eyes_reach_z; /* of both along a world axis, rounded up */
   uint64_t lens_focal_x; /* u14.14 pixel */
   uint64_t lens_focal_y; /* u14.14 pixel */
   int64_t lens_center_x; /* s15.12 pixel; pixel i has its centre at i */
@@ -443,6 +462,8 @@ struct pipegs_frame {
   uint64_t raster_windows_last_x; /* column of the last */
   uint64_t raster_windows_last_y; /* row of the last */
   uint64_t raster_rest; /* u0.(TW-1): with less left a pixel's next Gaussian takes all; 0: it stops at 1/TCut */
+  uint64_t raster_eyes; /* whose pictures are made, one bit each */
+  uint64_t raster_eye_lines; /* lines from the first one's picture, or an AOV of it, to the second one's */
   uint64_t raster_aovs_wanted; /* which, one bit each: coverage, depth, median, index; they lie in this order */
   uint64_t raster_aovs_range; /* of depths: 2^(range + 1) world units; what lies farther has the largest depth */
   uint64_t raster_aovs_base; /* first line of the first one */
@@ -642,6 +663,8 @@ struct pipegs_configuration {
   uint32_t rest_w; /* raster.rest, all of it fraction; 0: absent */
   uint32_t lod_bits; /* a step of the field lod is 2^-lod_bits octaves; 0: absent */
   uint32_t aovs; /* one bit each, as in raster.aovs.wanted */
+  uint32_t eyes; /* pictures that one frame makes */
+  uint32_t half_eye_w; /* half the way from one to the other; 0: absent */
 };
 
 /* FIELD(name, offset, lowest bit, width) for each field of struct pipegs_configuration. */
@@ -695,6 +718,8 @@ struct pipegs_configuration {
   FIELD(list_entry_w, PIPEGS_CONFIG_OVERFLOW, 24, 8) \
   FIELD(rest_w, PIPEGS_CONFIG_LESS, 0, 8) \
   FIELD(lod_bits, PIPEGS_CONFIG_LESS, 8, 8) \
-  FIELD(aovs, PIPEGS_CONFIG_AOVS, 0, 4)
+  FIELD(aovs, PIPEGS_CONFIG_AOVS, 0, 4) \
+  FIELD(eyes, PIPEGS_CONFIG_AOVS, 8, 4) \
+  FIELD(half_eye_w, PIPEGS_CONFIG_AOVS, 16, 8)
 
 #endif

@@ -80,7 +80,7 @@ void ru_write_lines(const Config& c, const Frame& frame, const Picture& picture,
     } else if (y + static_cast<uint64_t>(row) < frame.raster.height) {
       for (int i = 0; i < 8; ++i)
         put_bits(line.data(), ru_raster_bit(x + static_cast<uint64_t>(i)), 32, in_raster(8 * row + i));
-      const uint64_t eye = static_cast<uint64_t>(region_eye(c, region)) * frame.eyes.lines;
+      const uint64_t eye = static_cast<uint64_t>(region_eye(c, region)) * frame.raster.eye_lines;
       pixels(ru_raster_line(picture, x, y + static_cast<uint64_t>(row)) + eye + ahead, 1 << ru_raster_half(x), line);
     }
   }

@@ -35,7 +35,7 @@ inline uint64_t ru_pixel_line(const Config& c, const Frame& frame, uint64_t wind
          ((window_y * ru_windows_x(c, frame) + window_x) * c.squares() * c.mask_w() +
           static_cast<uint64_t>(region % (c.squares() * c.mask_w()))) *
              c.region_lines() +
-         row * c.region_lines() / 8 + static_cast<uint64_t>(region_eye(c, region)) * frame.eyes.lines;
+         row * c.region_lines() / 8 + static_cast<uint64_t>(region_eye(c, region)) * frame.raster.eye_lines;
 }
 inline int ru_pixel_bit(const Config& c, int row, int column) {
   return (row % (8 / c.region_lines()) * 8 + column) * c.pixel_w;

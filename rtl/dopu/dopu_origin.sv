@@ -5,6 +5,7 @@
 // Idea    origin = W (centre - camera), exact: the difference is cut into a low half of LowW bits and a high half, and
 //         three multipliers make one row's sum of one half per cycle. Then the exponent, and three rounding shifts.
 //           view_exp = max(0, L + 2 - ViewW), L = max(bit length of the largest |origin_i|, PosW + offset_exp)
+//         and with eyes that stand apart one more than the largest of these and of half their distance.
 // Stream  node in (or an end, which passes unchanged); chunk out.
 // Pace    One chunk in 10 cycles, latency 14: products and shifts of two chunks overlap.
 // Model   cpp_model/dopu/dopu_origin.hpp
@@ -15,6 +16,7 @@ module dopu_origin (
 
   input  pipegs_pkg::position_t           position_i,
   input  pipegs_pkg::rotation_t           rotation_i,
+  input  logic [pipegs_pkg::ExpW-1:0]     eye_length_i,  // bits of half the way between eyes; 0: they are one
 
   input  logic                            node_valid_i,
   output logic                            node_ready_o,
@@ -126,7 +128,7 @@ module dopu_origin (
   // --- shifts: x, y, z through one rounding shifter -----------------------------------------------------------------
   localparam int unsigned WholeW = OriginW - RotF;  // of a number without its fraction
   logic [$clog2(WholeW+1)-1:0] length;
-  logic [LengthW-1:0]        reach, longest;
+  logic [LengthW-1:0]        reach, own, longest;
   logic [ExpW-1:0]           view_exp_q;
   logic [1:0]                shift_step_q;  // 0 to 2: x, y, z; 3: stands at the output
   logic                      shifting_q;
@@ -141,7 +143,16 @@ module dopu_origin (
     .length_o(length)
   );
   assign reach         = LengthW'(offset_exp_q) + LengthW'(pipegs_pkg::PosW);
-  assign longest       = LengthW'(length) > reach ? LengthW'(length) : reach;
+  assign own           = LengthW'(length) > reach ? LengthW'(length) : reach;
+  if (pipegs_pkg::Eyes > 1) begin : gen_eyes
+    logic [LengthW-1:0] eyes;
+    assign eyes    = LengthW'(eye_length_i);
+    assign longest = eye_length_i == '0 ? own : (own > eyes ? own : eyes) + 1'b1;
+  end else begin : gen_one_eye
+    assign longest = own;
+    logic unused_eyes;
+    assign unused_eyes = ^eye_length_i;
+  end
   assign handover      = done && (!shifting_q || (shift_step_q == 2'd3 && chunk_ready_i));
   assign shifted       = source_q[0] >>> view_exp_q;
   assign rounded       = ViewW'(shifted >>> 1) + ViewW'({1'b0, shifted[0]});

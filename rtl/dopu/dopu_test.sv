@@ -4,7 +4,8 @@
 // Paper   Sec. 4.1.
 // Idea    The corner of the box farthest along a plane's normal decides: three products, one more for reach * scale.
 //         Corners, scale and near distance share one block exponent; what flooring takes away is given back as a
-//         constant Slack. The box is that of the means or, with TightBoxes, that of the ellipsoids (dopu_hull).
+//         constant Slack. The box is that of the means or, with TightBoxes, that of the ellipsoids (dopu_hull); with
+//         eyes that stand apart it reaches further by as much.
 // Stream  node: a node, the set of planes to use (each side plane may become a tighter one while the node is inside), a
 //         tag. result: node, tag, pass; it has no ready: the caller asks only for what it can take.
 //         nearest (with watermarks, else 0): in units of 2^(exponent - 18) world units no Gaussian of the node is
@@ -26,6 +27,7 @@ module dopu_test #(
   input  logic                                  awake_i,  // the unit's clock does not stand, or would not
 
   input  pipegs_pkg::position_t                 position_i,
+  input  logic [3*pipegs_pkg::BoxReachW-1:0]    eye_reach_i,  // z, y, x: of both eyes along the world axes
   input  logic [pipegs_pkg::WorldW-1:0]         near_plane_i,
   input  logic [2*5*pipegs_pkg::PlaneBits-1:0]  planes_i,  // two sets: near, left, right, top, bottom
 
@@ -52,7 +54,7 @@ module dopu_test #(
   localparam int unsigned ScaleMW = pipegs_pkg::ScaleMW;
   localparam int unsigned ScaleEW = pipegs_pkg::ScaleEW;
   localparam int unsigned PlaneBits = pipegs_pkg::PlaneBits;
-  localparam int unsigned CornerW = WorldW + 2;
+  localparam int unsigned CornerW = WorldW + 2 + (pipegs_pkg::Eyes > 1 ? 1 : 0);
   localparam int unsigned ProductW = 2 * TestW;
   localparam int unsigned SumW = ProductW + 2;
   localparam int unsigned StageW = pipegs_pkg::NodeBits + TagW + 1;
@@ -91,7 +93,7 @@ module dopu_test #(
   pipegs_pkg::node_t          node0, node1;
   logic signed [WorldW-1:0]   center, camera;
   logic [pipegs_pkg::HalfW-1:0] half, down, up;  // of the means; of the box that counts
-  logic signed [CornerW-1:0]  delta, low, high;
+  logic signed [CornerW-1:0]  delta, low, high, reach;  // reach: of both eyes
   logic [CornerW-1:0]         magnitude, magnitudes_q;
   logic signed [CornerW-1:0]  low_q [4];   // delay until the exponent is known
   logic signed [CornerW-1:0]  high_q [4];
@@ -104,9 +106,17 @@ module dopu_test #(
       default: begin center = node0.center_z; camera = position_i.z; half = node0.half_z; end
     endcase
   end
+  if (pipegs_pkg::Eyes > 1) begin : gen_eyes
+    localparam int unsigned ReachW = pipegs_pkg::BoxReachW;
+    assign reach = CornerW'({1'b0, eye_reach_i[ReachW*32'(phase_q) +: ReachW]});
+  end else begin : gen_one_eye
+    assign reach = '0;
+    logic unused_reach;
+    assign unused_reach = ^eye_reach_i;
+  end
   assign delta     = CornerW'(center) - CornerW'(camera);
-  assign low       = delta - (CornerW'({1'b0, down}) <<< node0.half_exp);
-  assign high      = delta + (CornerW'({1'b0, up}) <<< node0.half_exp);
+  assign low       = delta - (CornerW'({1'b0, down}) <<< node0.half_exp) - reach;
+  assign high      = delta + (CornerW'({1'b0, up}) <<< node0.half_exp) + reach;
   assign magnitude = (low[CornerW-1] ? ~low : low) | (high[CornerW-1] ? ~high : high);
 
   always_ff @(posedge clk_i) begin
@@ -255,7 +265,7 @@ module dopu_test #(
       endcase
       if (!tight_q) {down, up} = {half, half};
     end
-    assign extent      = CornerW'({1'b0, half}) <<< node0.half_exp;
+    assign extent      = (CornerW'({1'b0, half}) <<< node0.half_exp) + reach;
     assign corner      = ahead ? delta - extent : delta + extent;
     assign corner_wide = corner_q[3] >>> exponent_q;
     assign cut         = corner_wide[TestW-1:0];

@@ -268,7 +268,8 @@ module dopu_windows (
     if (pipegs_pkg::HasWalks) begin : gen_parts
       for (genvar p = 0; p < pipegs_pkg::Parts; p += 1) begin : gen_part
         assign beside[s][p*MaskW +: MaskW] =
-            {MaskW{place_q[s][PlaceW-1] && place_q[s][PlaceW-2:2*WindowW] != (PlaceW-1-2*WindowW)'(p)}};
+            {MaskW{place_q[s][PlaceW-1] &&
+                   place_q[s][PlaceW-2:2*WindowW] != (PlaceW-1-2*WindowW)'(p % pipegs_pkg::Squares)}};
       end
     end else begin : gen_none
       assign beside[s] = '0;

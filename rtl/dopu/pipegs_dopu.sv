@@ -190,11 +190,21 @@ module pipegs_dopu (
     assign lod = '0;
   end
 
+  logic [3*pipegs_pkg::BoxReachW-1:0] eye_reach;
+  logic [pipegs_pkg::ExpW-1:0]        eye_length;
+  if (pipegs_pkg::Eyes > 1) begin : gen_eyes
+    assign eye_reach  = {frame_i.eyes.reach_z, frame_i.eyes.reach_y, frame_i.eyes.reach_x};
+    assign eye_length = frame_i.eyes.length;
+  end else begin : gen_one_eye
+    assign eye_reach  = '0;
+    assign eye_length = '0;
+  end
   dopu_chunks u_chunks (
     .clk_i,
     .rst_ni,
     .awake_i(awake),
     .position_i(frame_i.camera.position),
+    .eye_reach_i(eye_reach),
     .near_plane_i(frame_i.lens.near_plane),
     .lod_i(lod),
     .groups_i({areas_i.groups, frame_i.tables.groups}),
@@ -263,6 +273,7 @@ module pipegs_dopu (
     .rst_ni,
     .position_i(frame_i.camera.position),
     .rotation_i(frame_i.camera.rotation),
+    .eye_length_i(eye_length),
     .node_valid_i(to_origin),
     .node_ready_o(origin_ready),
     .kind_i(part_end ? pipegs_pkg::KindPartEnd : node_kind),

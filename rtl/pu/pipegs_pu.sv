@@ -26,6 +26,7 @@ module pipegs_pu #(
   input  pipegs_pkg::areas_t                   areas_i,     // their sizes
   input  pipegs_pkg::windows_t                 windows_i,
   input  pipegs_pkg::open_t                    open_i,      // what is still open
+  input  logic [pipegs_pkg::SeenEyesW-1:0]     eyes_i,      // which are wanted, half_y, half_x
   input  logic [pipegs_pkg::UnitW-1:0]         unit_i,      // constant
   input  logic                                 restart_i,   // a frame begins; the PU is empty
 
@@ -129,6 +130,7 @@ module pipegs_pu #(
       .lens_i,
       .windows_i,
       .open_i,
+      .eyes_i,
       .gaussians_i({areas_i.gaussians, tables_i.gaussians}),
       .chunk_valid_i(chunk_valid),
       .chunk_ready_o(chunk_ready),
@@ -166,7 +168,7 @@ module pipegs_pu #(
     assign fetch_waiting      = 1'b0;
     assign culls              = 1'b0;
     assign front_idle         = 1'b1;
-    assign unused_front       = &{1'b0, chunk_i, chunk_valid, lens_i, windows_i, open_i, tables_i.gaussians,
+    assign unused_front       = &{1'b0, chunk_i, chunk_valid, lens_i, windows_i, open_i, eyes_i, tables_i.gaussians,
                                   geometry_ready_i, geometry_rsp_valid_i, culled_ready_i};
   end
 

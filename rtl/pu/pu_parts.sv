@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// pu_parts: from one Gaussian of a window to one beat for each part of the window that its box touches.
+// pu_parts: from one Gaussian of a window to one beat for each square of the window that its box touches.
 //
 // Paper   Sec. 4.2: the paper's windows have one part.
-// Idea    The box mean +- extent as columns and rows of parts; a Gaussian without any is dropped. The parts are walked
+// Idea    The box mean +- extent as columns and rows of squares; a Gaussian without any is dropped. They are walked
 //         row by row, where one is walked only this one, the mean moved to the first pixel of each by a subtraction and
 //         saturated as pu_project does it in a window of that size. The payload waits in a queue and goes along with
-//         each part.
+//         each; its eye and the square are the part.
 // Stream  payload in, one for each Gaussian, in order, not refused; its conic in; one conic beat per part out, and one
 //         cycle before it the payload with the part. Ends pass.
 // Pace    One part per cycle, and one cycle between Gaussians.
@@ -35,7 +35,7 @@ module pu_parts (
   localparam int unsigned MeanW   = pipegs_pkg::MeanW;
   localparam int unsigned PlacedW = pipegs_pkg::WindowMeanW;  // of a mean in its part
   localparam int unsigned SideF   = $clog2(pipegs_pkg::PartSide);
-  localparam int unsigned AxisW   = pipegs_pkg::PartW / 2;
+  localparam int unsigned AxisW   = pipegs_pkg::Squares > 1 ? pipegs_pkg::SquareW / 2 : 1;
   localparam int unsigned Places  = pipegs_pkg::ShapePlaces;
   localparam logic [AxisW-1:0] Most = AxisW'(pipegs_pkg::PartsX - 1);
 
@@ -155,7 +155,14 @@ module pu_parts (
   assign placed_o         = placed_q;
   assign parted_valid_o   = step;
   assign parted_o.payload = payload;
-  assign parted_o.part    = {row_q, column_q};
+  logic [pipegs_pkg::PartW-1:0] part;
+  if (pipegs_pkg::Squares > 1) begin : gen_square
+    assign part[2*AxisW-1:0] = {row_q, column_q};
+  end
+  if (pipegs_pkg::Eyes > 1) begin : gen_eye
+    assign part[pipegs_pkg::PartW-1] = payload.eye;
+  end
+  assign parted_o.part = part;
 
   logic unused;
   assign unused = &{1'b0, payload_room, payload_held, payload_count};

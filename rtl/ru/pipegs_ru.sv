@@ -155,7 +155,9 @@ module pipegs_ru #(
   );
   assign joined = picture_i.format && Units > 1;
   for (genvar i = 0; i < Regions; i += 1) begin : gen_unwritten
-    assign unwritten[i] = joined ? outside[i/2*2] : outside[i];  // the left one of two is outside: so is the other one
+    localparam int unsigned Eye = i / (pipegs_pkg::Squares * pipegs_pkg::MaskW);
+    // The left one of two is outside: so is the other one.
+    assign unwritten[i] = (joined ? outside[i/2*2] : outside[i]) || unseen[Eye];
   end
 
   logic [pipegs_pkg::TW-1:0] rest;
@@ -165,6 +167,15 @@ module pipegs_ru #(
     assign rest = '0;
   end
 
+  logic [pipegs_pkg::Eyes-1:0] unseen;  // eyes whose pictures are not made
+  logic [AddressW-1:0]         eye_lines;  // from the first one's picture to the second one's
+  if (pipegs_pkg::Eyes > 1) begin : gen_eyes
+    assign unseen    = ~raster_i.eyes;
+    assign eye_lines = raster_i.eye_lines;
+  end else begin : gen_one_eye
+    assign unseen    = '0;
+    assign eye_lines = '0;
+  end
   logic [pipegs_pkg::ExpW-1:0] range;   // of depths, for AOVs: 2^(range + 1) world units
   logic [Kinds-1:0]            wanted;  // AOVs that the frame writes
   if (pipegs_pkg::HasDepths) begin : gen_range
@@ -262,7 +273,7 @@ module pipegs_ru #(
     );
     assign {pair_at_end_o, pair_wanted_o} = '0;
     logic unused_live;
-    assign unused_live = &{1'b0, pair_at_end_i, pair_wanted_i, range, wanted, ahead_i};
+    assign unused_live = &{1'b0, pair_at_end_i, pair_wanted_i, range, wanted, ahead_i, eye_lines};
     assign blend_idle         = whole_idle && resolve_ready;
     assign tap_line_quarter_o = '0;
   end else begin : gen_live
@@ -276,6 +287,8 @@ module pipegs_ru #(
       .in_i(splat),
       .own_i(own),
       .unwritten_i(unwritten),
+      .unseen_i(unseen),
+      .eye_lines_i(eye_lines),
       .columns_i(columns),
       .rows_i(rows),
       .done_o,

@@ -57,7 +57,7 @@ module ru_lanes #(
   localparam int unsigned AlphaW = pipegs_pkg::AlphaW;
   localparam int unsigned ColorW = pipegs_pkg::ColorW;
   localparam int unsigned RegionW = pipegs_pkg::RegionW;
-  localparam int unsigned PlaceW  = RegionW / 2;
+  localparam int unsigned PlaceW  = pipegs_pkg::PlacesW;
   localparam int unsigned ColorsW = 3 * RgbW;
   localparam logic [TW-1:0] One = TW'(1) << (TW - 1);
 

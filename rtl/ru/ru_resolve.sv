@@ -48,7 +48,7 @@ module ru_resolve #(
   localparam int unsigned RegionW = pipegs_pkg::RegionW;
   localparam int unsigned AddressW = pipegs_pkg::AddressW;
   localparam int unsigned PixelW = pipegs_pkg::PixelW;
-  localparam int unsigned OffsetW = pipegs_pkg::StrideW + RegionW / 2 + 3;
+  localparam int unsigned OffsetW = pipegs_pkg::StrideW + pipegs_pkg::PlacesW + 3;
 
   logic [pipegs_pkg::MaskW-1:0] own;       // regions of this RU
   logic [Regions-1:0] todo_q;              // regions of which words are still to be read

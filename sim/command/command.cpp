@@ -106,6 +106,12 @@ void ViewArguments::add(CLI::App& app, DesignPoints which) {
            "nowhere (--set lod=1)",
            {.low = 0, .high = 1024})
       .shows_default();
+  add_read(
+      app, "--stereo",
+      "two pictures, of eyes that stand so far apart (scene units), the camera between them, by one walk of the scene "
+      "(machines with living quads and pixels of 32 bits)",
+      "BASELINE", [this](const std::string& text) { stereo = parse_real(text); },
+      [this] { return stereo ? fmt::format("{}", *stereo) : std::string(); });
   add_names(app, "--aovs", aovs,
             fmt::format("what frames write of their pixels beside colours, of machines with living quads and pixels of "
                         "32 bits: {}, or all",
@@ -168,6 +174,7 @@ SimulateOptions ViewArguments::one_of_several() const {
   options.near_plane = near_plane;
   options.rest = rest;
   options.lod_pixels = lod_pixels;
+  if (stereo) options.config.eyes = 2, options.half_eye = {*stereo / 2, 0};
   options.aovs = wanted_aovs();
   const auto build = [&](int Config::*key, Aov aov) {
     if ((options.aovs >> static_cast<int>(aov) & 1) != 0) options.config.*key = 1;

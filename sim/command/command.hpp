@@ -76,6 +76,7 @@ struct ViewArguments : MachineArguments {
   double near_plane = 0.2;
   double rest = 0;                // transmittance, SimulateOptions::rest
   double lod_pixels = 0;          // SimulateOptions::lod_pixels
+  std::optional<double> stereo = {};  // way from the left eye to the right one, scene units
   std::vector<std::string> aovs;  // names of those that frames write, or all
 
   void add(CLI::App& app, DesignPoints which = DesignPoints::kOne);

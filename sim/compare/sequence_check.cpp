@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "cpp_model/eyes.hpp"
 #include "cpp_model/ru/ru_resolve.hpp"
 
 namespace pipegs {
@@ -181,41 +182,51 @@ uint64_t SequenceCheck::found(const One& one, uint64_t x, uint64_t y, uint64_t a
                   ru_pixel_bit(config, row, static_cast<int>(x % 8)), config.pixel_w);
 }
 
-// The frame in external memory against the golden pixels.
+// What memory holds of a frame against the golden pictures of its eyes.
 void SequenceCheck::compare_pixels(One& one) {
+  const GoldenFrame& golden = *one.expected.golden;
+  const Frame& frame = one.expected.input->frame;
   const Config& config = one.expected.input->packed->config;
-  const Raster& raster = one.expected.input->frame.raster;
-  const bool in_raster = one.expected.input->picture.format != 0;
-  const uint64_t side = static_cast<uint64_t>(config.window);
+  for (int eye = 0; eye < config.eyes; ++eye) {
+    if (!wants_eye(config, frame, eye)) continue;
+    const bool second = eye == 1 && golden.second;
+    compare_picture(one, second ? *golden.second : golden, static_cast<uint64_t>(eye) * frame.raster.eye_lines,
+                    second ? one.second : one.first);
+  }
+}
+
+// One picture and its AOVs, so many lines behind where those of the first eye are.
+void SequenceCheck::compare_picture(One& one, const GoldenPicture& golden, uint64_t behind, Written& written) {
+  const GoldenInput& input = *one.expected.input;
+  const Config& config = input.packed->config;
+  const Frame& frame = input.frame;
+  const Raster& raster = frame.raster;
+  const bool in_raster = input.picture.format != 0;
+  const uint64_t side = static_cast<uint64_t>(config.window), base = in_raster ? input.picture.base : frame.tables.pixels;
   const uint64_t x0 = raster.windows.first_x * side, x1 = std::min(raster.width, (raster.windows.last_x + 1) * side),
                  y0 = raster.windows.first_y * side, y1 = std::min(raster.height, (raster.windows.last_y + 1) * side);
-  const GoldenFrame& golden = *one.expected.golden;
-  const auto compare = [&](uint64_t x, uint64_t y, const std::string& what, uint64_t expected, uint64_t shown) {
-    if (shown == expected) return;
-    one.streams->fail_pixel(static_cast<int>(x), static_cast<int>(y), what + fmt::format("{:016x}", expected),
-                            what + fmt::format("{:016x}", shown));
-  };
-  one.written.assign(golden.pixels.size(), 0);
-  for (uint64_t y = y0; y < y1; ++y) {
-    for (uint64_t x = x0; x < x1; ++x) {
-      const uint64_t at = y * raster.width + x, pixel = golden.pixels[at];
-      one.written[at] = found(one, x, y);
-      compare(x, y, "", in_raster ? ru_rgba8(config, pixel) : pixel, one.written[at]);
-    }
-  }
-  const Frame& frame = one.expected.input->frame;
-  const uint64_t base = in_raster ? one.expected.input->picture.base : frame.tables.pixels;
-  for (size_t i = 0; i < kAovs.size(); ++i) {
-    if (!wants_aov(config, frame, kAovs[i])) continue;
-    const uint64_t ahead = aov_line(config, frame, kAovs[i]) - base;
-    one.aovs[i].assign(golden.pixels.size(), 0);
+  const auto each = [&](const std::string& what, uint64_t ahead, auto&& expected, auto&& keep) {
     for (uint64_t y = y0; y < y1; ++y) {
       for (uint64_t x = x0; x < x1; ++x) {
-        const uint64_t at = y * raster.width + x;
-        one.aovs[i][at] = static_cast<uint32_t>(found(one, x, y, ahead));
-        compare(x, y, std::string(kAovNames[i]) + " ", golden.aovs[i][at], one.aovs[i][at]);
+        const uint64_t at = y * raster.width + x, shown = found(one, x, y, ahead), wanted = expected(at);
+        keep(at, shown);
+        if (shown == wanted) continue;
+        one.streams->fail_pixel(static_cast<int>(x), static_cast<int>(y), what + fmt::format("{:016x}", wanted),
+                                what + fmt::format("{:016x}", shown));
       }
     }
+  };
+  written.pixels.assign(golden.pixels.size(), 0);
+  each(
+      "", behind, [&](uint64_t at) { return in_raster ? ru_rgba8(config, golden.pixels[at]) : golden.pixels[at]; },
+      [&](uint64_t at, uint64_t shown) { written.pixels[at] = shown; });
+  for (size_t i = 0; i < kAovs.size(); ++i) {
+    if (!wants_aov(config, frame, kAovs[i])) continue;
+    written.aovs[i].assign(golden.pixels.size(), 0);
+    each(
+        std::string(kAovNames[i]) + " ", aov_line(config, frame, kAovs[i]) - base + behind,
+        [&](uint64_t at) { return uint64_t{golden.aovs[i][at]}; },
+        [&](uint64_t at, uint64_t shown) { written.aovs[i][at] = static_cast<uint32_t>(shown); });
   }
 }
 

@@ -49,10 +49,9 @@ class SequenceCheck final : public RtlTaps {
   StreamCheck& frame(size_t number) { return *frames_[number].streams; }
   std::optional<int64_t> first_cycle() const;  // of the first mismatch in any frame
   size_t complete() const { return back_; }    // frames that are
-  // Of a frame that is complete: its pixels as memory held them, row by row of the image.
-  const std::vector<uint64_t>& written(size_t number) const { return frames_[number].written; }
-  // Likewise those of its AOVs that it wants.
-  const AovPixels& aovs(size_t number) const { return frames_[number].aovs; }
+  // Of a frame that is complete: what memory held of the picture of its first eye, and of that of its second one.
+  const Written& written(size_t number) const { return frames_[number].first; }
+  const Written& second_written(size_t number) const { return frames_[number].second; }
   // Of a frame that is complete: what memory has moved since the start.
   const MemoryBytes& moved(size_t number) const { return frames_[number].moved; }
 
@@ -61,8 +60,7 @@ class SequenceCheck final : public RtlTaps {
     Expected expected;
     std::unique_ptr<StreamCheck> streams;
     RequestCheck requests;
-    std::vector<uint64_t> written = {};
-    AovPixels aovs = {};
+    Written first = {}, second = {};
     MemoryBytes moved = {};
   };
   RtlTaps& states();  // in this cycle
@@ -70,6 +68,7 @@ class SequenceCheck final : public RtlTaps {
   void watch_states();             // from a machine on that is empty
   StreamCheck& at(size_t number);  // the last frame, where a stream shows more than it should
   void compare_pixels(One& one);
+  void compare_picture(One& one, const GoldenPicture& golden, uint64_t behind, Written& written);
   void compare_request(int tag, bool write, uint64_t line, int lines);
   // The pixel in memory, of colours or so many lines further.
   uint64_t found(const One& one, uint64_t x, uint64_t y, uint64_t ahead = 0) const;

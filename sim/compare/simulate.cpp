@@ -102,21 +102,60 @@ Image crop_window(const Image& image, const SimulateOptions& options) {
   return part;
 }
 
-Image picture_of(const Simulation& simulation, const SimulateOptions& options) {
-  if (simulation.written.empty()) return crop_window(simulation.golden.image, options);
-  Image whole = simulation.golden.image;
-  show_aovs(*simulation.input.packed, simulation.input.frame, simulation.written_aovs, whole);
+namespace {
+
+// Of one eye, as the RTL has left it where it ran.
+Image eye_picture(const Simulation& simulation, const SimulateOptions& options, const GoldenPicture& golden,
+                  const Written& written) {
+  if (written.pixels.empty()) return crop_window(golden.image, options);
+  Image whole = golden.image;
+  show_aovs(*simulation.input.packed, simulation.input.frame, written.aovs, whole);
   Image image = crop_window(whole, options);
-  const PixelRect r = asked_pixels(simulation.golden.image.width, simulation.golden.image.height, options);
+  const PixelRect r = asked_pixels(whole.width, whole.height, options);
   for (int y = r.y0; y < r.y1; ++y) {
     for (int x = r.x0; x < r.x1; ++x) {
-      const uint64_t pixel = simulation.written[simulation.golden.image.at(x, y)];
+      const uint64_t pixel = written.pixels[whole.at(x, y)];
       const size_t at = image.at(x - r.x0, y - r.y0);
       for (int j = 0; j < 3; ++j) image.rgb[at][j] = color_of(options, pixel, j);
       if (!options.raster && options.config.pixel_w == 64)
         image.transmittance[at] = std::ldexp(static_cast<double>(pixel >> 48), -15);
     }
   }
+  return image;
+}
+
+template <class T>
+std::vector<T> rows_beside(const std::vector<T>& left, const std::vector<T>& right, int width) {
+  std::vector<T> both;
+  for (size_t at = 0; at < left.size(); at += static_cast<size_t>(width)) {
+    const auto end = static_cast<ptrdiff_t>(at) + width, begin = static_cast<ptrdiff_t>(at);
+    both.insert(both.end(), left.begin() + begin, left.begin() + end);
+    both.insert(both.end(), right.begin() + begin, right.begin() + end);
+  }
+  return both;
+}
+
+}  // namespace
+
+Camera eye_camera(const Camera& camera, const SimulateOptions& options, int eye) {
+  Camera moved = camera;
+  const glm::dvec3 half(options.half_eye[0], options.half_eye[1], 0);
+  moved.position += (eye == 0 ? -1.0 : 1.0) * (glm::transpose(camera.world_to_camera) * half);
+  return moved;
+}
+
+Image picture_of(const Simulation& simulation, const SimulateOptions& options) {
+  Image image = eye_picture(simulation, options, simulation.golden, simulation.written);
+  if (!simulation.golden.second) return image;
+  const Image second = eye_picture(simulation, options, *simulation.golden.second, simulation.second_written);
+  const int width = image.width;
+  image.rgb = rows_beside(image.rgb, second.rgb, width);
+  image.transmittance = rows_beside(image.transmittance, second.transmittance, width);
+  image.depth = rows_beside(image.depth, second.depth, width);
+  image.blended = rows_beside(image.blended, second.blended, width);
+  image.median = rows_beside(image.median, second.median, width);
+  image.index = rows_beside(image.index, second.index, width);
+  image.width *= 2;
   return image;
 }
 
@@ -138,6 +177,10 @@ void simulate_frame(const PackedScene& packed, const Camera& camera, const Simul
   if (options.config.has_walks()) result.input.frame.walk_most = options.walk_most;
   if (options.rest != 0 && options.config.early_stop)
     result.input.frame.raster.rest = rest_of(options.config, options.rest);
+  if (options.config.eyes > 1) {
+    frame_eyes(options.config, packed, options.half_eye, result.input.frame);
+    result.input.frame.raster.eyes = options.eyes;
+  }
   if (options.config.has_aovs()) result.input.frame.raster.aovs.wanted = options.aovs;
   if (options.config.lod) result.input.frame.lod = dopu_lod_of(options.config, camera.fx, options.lod_pixels);
   if (options.raster)
@@ -193,7 +236,8 @@ Image simulate_float(const char* stage, const Scene& scene, const Camera& camera
     if (interrupted()) throw std::runtime_error("interrupted");
     progress.update(share);
   };
-  return render_truth(scene, camera, truth);
+  const bool eyes = options.config.eyes > 1;
+  return render_truth(scene, eyes ? eye_camera(camera, options, (options.eyes & 1) != 0 ? 0 : 1) : camera, truth);
 }
 
 Image shown(Image image) {

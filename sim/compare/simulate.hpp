@@ -34,6 +34,8 @@ struct SimulateOptions {
   double rest = 0;                           // transmittance, Frame::raster.rest; of machines that stop early
   double lod_pixels = 0;                     // Frame::lod by its size of proxies; of machines that have them
   uint64_t aovs = 0;                         // Frame::raster.aovs.wanted, of machines that have them
+  std::array<double, 2> half_eye = {};       // of machines with two eyes: half the way between them, scene units, x, y
+  uint64_t eyes = 3;                         // likewise whose pictures are made, Frame::raster.eyes
   bool raster = false;                       // pixels in raster order, RGBA8; else by windows
   std::optional<std::array<int, 2>> watch;   // pixel whose blending the RTL shall show
   RtlTaps* taps = nullptr;                   // sees what the RTL shows, beside the comparison
@@ -58,8 +60,7 @@ struct Simulation {
   PackedScene packed;
   GoldenInput input;  // points at packed, or at that of another simulation
   GoldenFrame golden;
-  std::vector<uint64_t> written;  // as golden.pixels, but what the RTL left in memory; empty where it did not run
-  AovPixels written_aovs;         // as golden.aovs, likewise
+  Written written, second_written;  // as golden and golden.second; empty where the RTL did not run
   // Exact in the hardware's order, exact and INRIA in global order; only the window that was asked for.
   Image truth_order, truth_exact, truth_inria;
   RtlResult rtl;
@@ -139,7 +140,10 @@ Rgb8 cropped(const Rgb8& picture, const PixelRect& part);
 // The part of an image that was asked for.
 Image crop_window(const Image& image, const SimulateOptions& options);
 
-// That part of the picture: colours, and T where memory holds it, are what the RTL has written where it ran; all else
+// The camera of an eye of such a machine; that of the frame stands between them.
+Camera eye_camera(const Camera& camera, const SimulateOptions& options, int eye);
+
+// That part of the picture, of two eyes side by side: colours, and T where memory holds it, are what the RTL has written where it ran; all else
 // is the golden model's.
 Image picture_of(const Simulation& simulation, const SimulateOptions& options);
 

@@ -113,7 +113,7 @@ SequenceRun simulate_sequence(const SimulateOptions& options, const std::vector<
     run.frame_bytes.push_back({moved.read - before.read, moved.written - before.written});
     before = moved;
     frames[i]->written = check.written(i);
-    frames[i]->written_aovs = check.aovs(i);
+    frames[i]->second_written = check.second_written(i);
     frames[i]->seen = one.seen();
     frames[i]->beats = one.beats();
     frames[i]->mismatches = one.mismatches();

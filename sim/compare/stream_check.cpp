@@ -12,6 +12,7 @@
 #include "cpp_model/dopu/dopu_origin.hpp"
 #include "cpp_model/pu/conic/pu_coeff.hpp"
 #include "cpp_model/pu/conic/pu_intersect.hpp"
+#include "cpp_model/eyes.hpp"
 #include "cpp_model/pu/front/pu_cull.hpp"
 #include "cpp_model/pu/front/pu_reach.hpp"
 #include "cpp_model/pu/pu_parts.hpp"
@@ -227,14 +228,17 @@ bool StreamCheck::closed_before(const Window& window, uint64_t index, uint64_t w
 // Whether the Gaussian in this slot of a chunk has a region in the chunk's walk.
 bool StreamCheck::has_region(const Chunk& chunk, uint64_t slot) const {
   const Frame& frame = input_.frame;
-  Gap gap;
-  const std::optional<Visible> visible =
-      pu_cull(config_, frame, golden_fetched(chunk, input_.packed->gaussians[slot], slot), nullptr, &gap);
-  if (!visible || (config_.tight_cull && !pu_reach(config_, frame, *visible, gap))) return false;
-  const std::vector<PuPart> parts = pu_parts(config_, golden_conic(config_, frame, *visible).conic, chunk.walk);
-  return std::any_of(parts.begin(), parts.end(), [&](const PuPart& one) {
-    return pu_intersect(config_, frame, pu_coeff(config_, frame, one.conic)).mask != 0;
-  });
+  const Fetched fetched = golden_fetched(chunk, input_.packed->gaussians[slot], slot);
+  for (int eye = 0; eye < config_.eyes; ++eye) {
+    Gap gap;
+    const std::optional<Visible> visible = pu_cull(config_, frame, fetched, nullptr, &gap, {}, nullptr, eye);
+    if (!wants_eye(config_, frame, eye) || !visible) continue;
+    if (config_.tight_cull && !pu_reach(config_, frame, *visible, gap)) continue;
+    for (const PuPart& one : pu_parts(config_, golden_conic(config_, frame, *visible).conic, chunk.walk)) {
+      if (pu_intersect(config_, frame, pu_coeff(config_, frame, one.conic)).mask != 0) return true;
+    }
+  }
+  return false;
 }
 
 // With Occlusion: a chunk of the scene that the planes of a whole walk of the window do not let pass. None of its
@@ -418,7 +422,7 @@ void StreamCheck::on_splat(int unit, const uint32_t* words) {
   if (found == now.by_name[place.layer].end()) return fail(place.window, where, "none", to_text(config_, splat));
   const Splat& expected = found->second->splat;
   if (place.walk >= walks_of(now)) return fail(place.window, where, "the end of the window", "a splat");
-  if (now.golden.in_parts() && splat.part != walk_part(config_, now.golden.walks[place.walk])) {
+  if (now.golden.in_parts() && part_square(config_, splat.part) != walk_part(config_, now.golden.walks[place.walk])) {
     where.field = "part";
     return fail(place.window, where, fmt::to_string(walk_part(config_, now.golden.walks[place.walk])),
                 fmt::to_string(splat.part));

@@ -319,13 +319,22 @@ module pu_four_project (
     payload.index  = in_q.index;
     payload.slot   = in_q.slot;
   end
+  pipegs_pkg::payload_t walked;  // but for its eye
   if (pipegs_pkg::HasWalks) begin : gen_walk
     always_comb begin
-      payload_o      = payload;
-      payload_o.walk = in_q.walk;
+      walked      = payload;
+      walked.walk = in_q.walk;
     end
   end else begin : gen_whole
-    assign payload_o = payload;
+    assign walked = payload;
+  end
+  if (pipegs_pkg::Eyes > 1) begin : gen_eyes
+    always_comb begin
+      payload_o     = walked;
+      payload_o.eye = in_q.eye;
+    end
+  end else begin : gen_one_eye
+    assign payload_o = walked;
   end
 
   // Bits that a narrowing cuts, and what of the lens does not matter here.

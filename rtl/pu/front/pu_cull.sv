@@ -8,14 +8,17 @@
 //           1 nine products   2 sums       3 shift to view units   4 view   5 edges; near plane; common exponent
 //           6 cut             7 six products                       8 four signs -> output
 //         With Occlusion the four sides are those of the rectangle around the open regions (pipegs_open), as known in
-//         stage 5: regions beside it times z are taken off in stages 7 and 8.
+//         stage 5: regions beside it times z are taken off in stages 7 and 8. The first of two eyes sees all of it half
+//         the distance between them further to the right, the second one to the left: stage 4 adds that.
 // Stream  fetched in, visible out: only those that survive, and every end beat, all its other fields zero. Beside it
 //         what pu_reach needs (TightCull), else zero.
 // Pace    One per cycle, latency 9; the pipeline stands still while the output is not taken. A stage's registers are
 //         clocked for a record only, the output's for one that survives.
 // Model   cpp_model/pu/front/pu_cull.hpp
 
-module pu_cull (
+module pu_cull #(
+  localparam int unsigned HalfW = pipegs_pkg::Eyes > 1 ? pipegs_pkg::HalfEyeW : 1
+) (
   input  logic                  clk_i,
   input  logic                  rst_ni,
 
@@ -23,10 +26,13 @@ module pu_cull (
   input  pipegs_pkg::lens_t     lens_i,
   input  pipegs_pkg::windows_t  windows_i,
   input  pipegs_pkg::open_t     open_i,
+  input  logic signed [HalfW-1:0] half_x_i,  // of the distance between the eyes, world units; 0 where there is one
+  input  logic signed [HalfW-1:0] half_y_i,
 
   input  logic                  fetched_valid_i,
   output logic                  fetched_ready_o,
   input  pipegs_pkg::fetched_t  fetched_i,
+  input  logic                  eye_i,
 
   output logic                  visible_valid_o,
   input  logic                  visible_ready_i,
@@ -83,9 +89,10 @@ module pu_cull (
   } ride_t;
   ride_t            ride, ride2, ride4, ride6, ride7;  // rideN: the record in register N, read in stage N + 1
   logic [RideW-1:0] ride_q [Stages+1];          // 1 to 7
-  assign ride.gaussian = {fetched_q.slot, fetched_q.index, fetched_q.base_b, fetched_q.base_g, fetched_q.base_r,
-                          fetched_q.opacity, fetched_q.scale_2, fetched_q.scale_1, fetched_q.scale_0,
-                          fetched_q.qz, fetched_q.qy, fetched_q.qx, fetched_q.qw};
+  localparam int unsigned GaussianW = RideW - KindW - PlaceW - ExpW - pipegs_pkg::EyeW;
+  assign ride.gaussian[GaussianW-1:0] = {fetched_q.slot, fetched_q.index, fetched_q.base_b, fetched_q.base_g,
+                                         fetched_q.base_r, fetched_q.opacity, fetched_q.scale_2, fetched_q.scale_1,
+                                         fetched_q.scale_0, fetched_q.qz, fetched_q.qy, fetched_q.qx, fetched_q.qw};
   assign ride.view_exp = fetched_q.view_exp;
   assign ride.place    = fetched_bits[KindW +: PlaceW];
   assign ride.kind     = fetched_q.kind;
@@ -149,18 +156,60 @@ module pu_cull (
                                                  input logic signed [ViewW-1:0] origin);
     place = ((SumW + 1)'(twice) + ((SumW + 1)'(origin) <<< 1) + $signed((SumW + 1)'(1))) >>> 1;
   endfunction
+  logic signed [ViewW-1:0] x_middle4, y_middle4;  // as seen from between the eyes
   pipegs_saturate #(.InW(SumW + 1), .OutW(ViewW)) u_x4 (
     .in_i(place(x3_q, origin_x_q[3])),
-    .out_o(x4)
+    .out_o(x_middle4)
   );
   pipegs_saturate #(.InW(SumW + 1), .OutW(ViewW)) u_y4 (
     .in_i(place(y3_q, origin_y_q[3])),
-    .out_o(y4)
+    .out_o(y_middle4)
   );
   pipegs_saturate #(.InW(SumW + 1), .OutW(ViewW)) u_z4 (
     .in_i(place(z3_q, origin_z_q[3])),
     .out_o(z4)
   );
+
+  if (pipegs_pkg::Eyes > 1) begin : gen_eyes
+    logic                    eye_q, eye1_q, eye2_q;
+    logic signed [HalfW:0]   x_shift3_q, y_shift3_q;  // of the eye
+    logic signed [ViewW:0]   x_seen, y_seen;
+    // Rounded to the unit of the chunk's view space, before its sign.
+    function automatic logic signed [HalfW:0] shift(input logic signed [HalfW-1:0] half, input logic [ExpW-1:0] down,
+                                                    input logic eye);
+      logic signed [HalfW:0] twice, rounded;
+      twice   = ((HalfW + 1)'(half) <<< 1) >>> down;
+      rounded = (twice + $signed((HalfW + 1)'(1))) >>> 1;
+      shift   = eye ? -rounded : rounded;
+    endfunction
+    always_ff @(posedge clk_i) begin
+      if (load[0]) eye_q <= eye_i;
+      if (load[1]) eye1_q <= eye_q;
+      if (load[2]) eye2_q <= eye1_q;
+      if (load[3]) begin
+        x_shift3_q <= shift(half_x_i, ride2.view_exp, eye2_q);
+        y_shift3_q <= shift(half_y_i, ride2.view_exp, eye2_q);
+      end
+    end
+    assign ride.gaussian[GaussianW] = eye_q;
+    logic unused_shift;  // the unit of view space leaves room for it
+    assign unused_shift = ^{x_shift3_q, y_shift3_q};
+    assign x_seen = (ViewW + 1)'(x_middle4) + (ViewW + 1)'(x_shift3_q);
+    assign y_seen = (ViewW + 1)'(y_middle4) + (ViewW + 1)'(y_shift3_q);
+    pipegs_saturate #(.InW(ViewW + 1), .OutW(ViewW)) u_x_seen (
+      .in_i(x_seen),
+      .out_o(x4)
+    );
+    pipegs_saturate #(.InW(ViewW + 1), .OutW(ViewW)) u_y_seen (
+      .in_i(y_seen),
+      .out_o(y4)
+    );
+  end else begin : gen_one_eye
+    assign x4 = x_middle4;
+    assign y4 = y_middle4;
+    logic unused_eye;
+    assign unused_eye = ^{eye_i, half_x_i, half_y_i};
+  end
 
   // --- stages 1 to 3 beside them: the largest scale in view units, rounded up --------------------------------------
   localparam int unsigned Bias   = 8;                  // of a scale's exponent field

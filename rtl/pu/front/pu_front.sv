@@ -2,7 +2,7 @@
 // pu_front: the part of a PU that fetches the Gaussians of its chunks and culls them.
 //
 // Paper   Fig. 7 (PU), Sec. 4.2.1.
-// Idea    fetch -> decode (Coded) -> cull -> reach (TightCull). One Gaussian a cycle goes in, and of those that leave
+// Idea    fetch -> decode (Coded) -> eyes (Eyes) -> cull -> reach (TightCull). One Gaussian a cycle goes in, and of those that leave
 //         pu_deal gives each PU one in Pace cycles, so PuFronts of the PUs can feed all of them. Only wiring here.
 // Stream  chunk in; visible out, to pu_deal; a port to external memory for geometry.
 // Pace    One Gaussian per cycle.
@@ -11,7 +11,8 @@
 module pu_front #(
   localparam int unsigned AddressW = pipegs_pkg::AddressW,
   localparam int unsigned BurstW   = pipegs_pkg::BurstW,
-  localparam int unsigned MemoryW  = pipegs_pkg::MemoryW
+  localparam int unsigned MemoryW  = pipegs_pkg::MemoryW,
+  localparam int unsigned SeenEyesW = pipegs_pkg::SeenEyesW
 ) (
   input  logic                     clk_i,
   input  logic                     rst_ni,
@@ -19,6 +20,7 @@ module pu_front #(
   input  pipegs_pkg::lens_t        lens_i,
   input  pipegs_pkg::windows_t     windows_i,
   input  pipegs_pkg::open_t        open_i,
+  input  logic [SeenEyesW-1:0]     eyes_i,       // which are wanted, half_y, half_x
   input  pipegs_pkg::span_t        gaussians_i,  // the geometry
 
   input  logic                     chunk_valid_i,
@@ -93,6 +95,31 @@ module pu_front #(
     assign decode_busy   = 1'b0;
   end
 
+  localparam int unsigned HalfW = (SeenEyesW - 2) / 2;
+  logic                 seen_valid, seen_ready, eye;  // once for each eye
+  pipegs_pkg::fetched_t seen;
+  if (pipegs_pkg::Eyes > 1) begin : gen_eyes
+    pu_eyes u_eyes (
+      .clk_i,
+      .rst_ni,
+      .wanted_i(eyes_i[SeenEyesW-1 -: 2]),
+      .fetched_valid_i(fetched_valid),
+      .fetched_ready_o(fetched_ready),
+      .fetched_i(fetched),
+      .seen_valid_o(seen_valid),
+      .seen_ready_i(seen_ready),
+      .seen_o(seen),
+      .eye_o(eye)
+    );
+  end else begin : gen_one_eye
+    assign seen_valid    = fetched_valid;
+    assign fetched_ready = seen_ready;
+    assign seen          = fetched;
+    assign eye           = 1'b0;
+    logic unused_eyes;
+    assign unused_eyes = ^eyes_i;
+  end
+
   pu_cull u_cull (
     .clk_i,
     .rst_ni,
@@ -100,9 +127,12 @@ module pu_front #(
     .lens_i,
     .windows_i,
     .open_i,
-    .fetched_valid_i(fetched_valid),
-    .fetched_ready_o(fetched_ready),
-    .fetched_i(fetched),
+    .half_x_i(eyes_i[HalfW-1:0]),
+    .half_y_i(eyes_i[2*HalfW-1:HalfW]),
+    .fetched_valid_i(seen_valid),
+    .fetched_ready_o(seen_ready),
+    .fetched_i(seen),
+    .eye_i(eye),
     .visible_valid_o(survivor_valid),
     .visible_ready_i(survivor_ready),
     .visible_o(survivor),

@@ -128,13 +128,18 @@ module pu_late #(
 
   // --- parts of one Gaussian share its colour ------------------------------------------------------------------------
   if (pipegs_pkg::Parts > 1) begin : gen_parts
-    localparam int unsigned SlotW = pipegs_pkg::SlotW;
+    localparam int unsigned SlotW = pipegs_pkg::EyeW + pipegs_pkg::SlotW;  // an eye sees its own colour
     logic                 asked_q, held;  // asked: for the colour of the Gaussian in last_q
-    logic [SlotW-1:0]     last_q;
+    logic [SlotW-1:0]     slot, last_q;
     pipegs_pkg::colored_t held_q;
 
+    if (pipegs_pkg::Eyes > 1) begin : gen_eyes
+      assign slot = {payload.eye, payload.slot};
+    end else begin : gen_one_eye
+      assign slot = payload.slot;
+    end
     assign part_done = done[parted_i.part*MaskW +: MaskW];
-    assign again     = asked_q && !drop && !is_end && payload.slot == last_q;
+    assign again     = asked_q && !drop && !is_end && slot == last_q;
     assign queued_in = {again, parted_q.part, made};
     assign held          = queued[QueuedW-1];
     assign splat_valid_o = queued_valid && (held || colored_valid);
@@ -149,7 +154,7 @@ module pu_late #(
       else if (leave && !drop) asked_q <= !is_end;
     end
     always_ff @(posedge clk_i) begin
-      if (leave && !drop) last_q <= payload.slot;
+      if (leave && !drop) last_q <= slot;
       if (colored_valid && colored_ready) held_q <= colored;
     end
   end else begin : gen_whole

@@ -25,6 +25,7 @@ module ru_drain #(
   input  logic [pipegs_pkg::Regions-1:0]  own_i,
   input  logic                            raster_i,   // pixels in raster order, else by windows
   input  logic [pipegs_pkg::StrideW-1:0]  stride_i,   // lines from row to row, in raster order
+  input  logic [pipegs_pkg::AddressW-1:0] eye_lines_i,  // from the first eye's pixels to the second one's
 
   input  logic                            restart_i,
   input  logic                            start_i,
@@ -57,7 +58,7 @@ module ru_drain #(
   localparam int unsigned AddressW  = pipegs_pkg::AddressW;
   localparam int unsigned SlotW     = Slots > 1 ? $clog2(Slots) : 1;
   localparam int unsigned LinesW    = Lanes * pipegs_pkg::PixelW;
-  localparam int unsigned OffsetW   = pipegs_pkg::StrideW + RegionW / 2 + 3;
+  localparam int unsigned OffsetW   = pipegs_pkg::StrideW + pipegs_pkg::PlacesW + 3;
   localparam int unsigned Depth     = pipegs_pkg::RuDrained;
 
   // --- which word is next --------------------------------------------------------------------------------------------
@@ -118,6 +119,20 @@ module ru_drain #(
     assign unused_own = &{1'b0, own_i};
   end
 
+  logic [AddressW-1:0] first_line;  // of the eye's pixels of the window
+  if (pipegs_pkg::Eyes > 1) begin : gen_eyes
+    logic                second_q;  // the last job was of the second eye
+    logic [AddressW-1:0] second_line_q;
+    always_ff @(posedge clk_i) begin
+      if (job_o) second_q <= region[RegionW-1];
+      if (start_i) second_line_q <= line_i + eye_lines_i;
+    end
+    assign first_line = second_q ? second_line_q : line_q;
+  end else begin : gen_one_eye
+    assign first_line = line_q;
+    logic unused_eye;
+    assign unused_eye = ^eye_lines_i;
+  end
   logic [OffsetW-1:0] offset, offset_q;  // of the job's word from the window's first line; _q: of the last cycle's
   logic               half, half_q, wide, wide_q, two, two_q, shown;
   ru_offset u_offset (
@@ -155,7 +170,7 @@ module ru_drain #(
     .rst_ni,
     .in_valid_i(flying_q[0]),
     .in_ready_o(tag_ready),
-    .in_i({line_q + AddressW'(offset_q), half_q, wide_q, two_q}),
+    .in_i({first_line + AddressW'(offset_q), half_q, wide_q, two_q}),
     .out_valid_o(tag_valid),
     .out_ready_i(pop),
     .out_o({place, place_half, mem_wide_o, place_two}),

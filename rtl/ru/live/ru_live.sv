@@ -37,6 +37,8 @@ module ru_live #(
 
   input  logic [Regions-1:0]                own_i,
   input  logic [Regions-1:0]                unwritten_i,  // regions whose pixels do not go to memory
+  input  logic [pipegs_pkg::Eyes-1:0]       unseen_i,   // eyes whose pictures are not made
+  input  logic [AddressW-1:0]               eye_lines_i,  // from the first one's pixels to the second one's
   input  logic [SideW-1:0]                  columns_i,  // pixels of the window inside the image; in the cycle behind
   input  logic [SideW-1:0]                  rows_i,     // restart_i or window_done_o they are those of the next one
   output logic [Regions-1:0]                done_o,     // own regions that need nothing more
@@ -78,6 +80,7 @@ module ru_live #(
 
   localparam int unsigned PartSide = pipegs_pkg::PartRegionsX;
   localparam int unsigned PartsX   = pipegs_pkg::PartsX;
+  localparam int unsigned Squares  = pipegs_pkg::Squares;
   localparam int unsigned MaskW    = pipegs_pkg::MaskW;  // regions of a part
   localparam int unsigned ColorsW  = pipegs_pkg::RuColorsW;
   localparam int unsigned TW       = pipegs_pkg::TW;
@@ -118,7 +121,8 @@ module ru_live #(
         if (clear_q) begin
           for (int unsigned region = 0; region < Regions; region += 1) begin
             of_slots[region/Units] |= own_i[region] &&
-                (rows_out[4*(region/MaskW/PartsX*PartSide + region%MaskW/PartSide) + r] ||
+                (unseen_i[region/MaskW/Squares] ||
+                 rows_out[4*(region/MaskW%Squares/PartsX*PartSide + region%MaskW/PartSide) + r] ||
                  columns_out[4*(region/MaskW%PartsX*PartSide + region%MaskW%PartSide) + (g+2*r)%4]);
           end
         end
@@ -236,6 +240,7 @@ module ru_live #(
     .own_i,
     .raster_i,
     .stride_i,
+    .eye_lines_i,
     .restart_i,
     .start_i(window_done_o),
     .line_i,

@@ -75,7 +75,7 @@ module ru_quads #(
   localparam int unsigned IndexW    = pipegs_pkg::ShownIndexW;
   localparam int unsigned DepthW    = pipegs_pkg::HasDepths ? pipegs_pkg::LinearW : 1;
   localparam int unsigned AovW      = pipegs_pkg::HasAovs ? pipegs_pkg::AovBits : 1;
-  localparam int unsigned PlaceW    = RegionW / 2;
+  localparam int unsigned PlaceW    = pipegs_pkg::PlacesW;
   localparam int unsigned PixelsW   = 3 * RgbW;
   localparam int unsigned Depth     = pipegs_pkg::RuHalves;
   localparam int unsigned QueuedW   = 2 + PairW + 1 + RegionW + ColorsW + IndexW;

@@ -10,7 +10,7 @@
 // Model   ru_pixel_line in cpp_model/ru/ru_resolve.hpp, ru_raster_line in cpp_model/ru/ru_raster.hpp
 
 module ru_offset #(
-  localparam int unsigned PlaceW  = pipegs_pkg::RegionW / 2,
+  localparam int unsigned PlaceW  = pipegs_pkg::PlacesW,
   localparam int unsigned StrideW = pipegs_pkg::StrideW,
   localparam int unsigned RowW    = PlaceW + 3,  // of a window's rows
   localparam int unsigned OffsetW = StrideW + RowW
@@ -57,7 +57,7 @@ module ru_offset #(
       two_o    = first + 1'b1 < rows;
       more_o   = first + (SideW + 1)'(2) < rows;
     end else begin
-      offset_o = OffsetW'({region_i, quarter_i}) << Double;
+      offset_o = OffsetW'({region_i[2*PlaceW-1:0], quarter_i}) << Double;  // of an eye's picture
       half_o   = 1'b0;
       wide_o   = 1'b0;
       shown_o  = 1'b1;

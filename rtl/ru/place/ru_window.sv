@@ -31,13 +31,13 @@ module ru_window (
 );
 
   localparam int unsigned WindowW = pipegs_pkg::WindowW;
-  localparam int unsigned PlaceW = pipegs_pkg::RegionW / 2;
+  localparam int unsigned PlaceW = pipegs_pkg::PlacesW;
   localparam int unsigned Shift = $clog2(pipegs_pkg::Window);
   localparam int unsigned SideW = WindowW + Shift + 1;  // pixels, signed after a subtraction
   localparam int unsigned AddressW = pipegs_pkg::AddressW;
   localparam int unsigned StrideW = pipegs_pkg::StrideW;
   localparam int unsigned BeforeW = WindowW + StrideW;
-  localparam int unsigned Tiles = $clog2(pipegs_pkg::Regions * pipegs_pkg::RegionLines);  // lines of a window
+  localparam int unsigned Tiles = $clog2(pipegs_pkg::Squares * pipegs_pkg::MaskW * pipegs_pkg::RegionLines);  // a window
 
   // Pixels of a window that starts at window `at` in an image of `size` pixels: 0 .. Window.
   function automatic logic [Shift:0] span(input logic [pipegs_pkg::SizeW-1:0] size, input logic [WindowW-1:0] at);
