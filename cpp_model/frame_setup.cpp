@@ -180,8 +180,8 @@ void frame_eyes(const Config& config, const PackedScene& scene, const std::array
   const pipegs_scene packed = driver_scene(scene);
   const pipegs_number halves[2] = {number(half[0]), number(half[1])};
   if (pipegs_setup_eyes(&packed.packed_for, &packed, halves, &job) != PIPEGS_SETUP_OK)
-    throw FrameError(fmt::format("half the way between the eyes is {:g}, {:g}, its magnitude must be below {:g}", half[0],
-                                 half[1], std::ldexp(1.0, config.half_eye_w() - 1 + scene.scene_exponent)));
+    throw FrameError(fmt::format("half the way between the eyes is {:g}, {:g}, its magnitude must be below {:g}",
+                                 half[0], half[1], std::ldexp(1.0, config.half_eye_w() - 1 + scene.scene_exponent)));
   frame = job_frame(config, job);
 }
 

@@ -74,10 +74,10 @@ struct ViewArguments : MachineArguments {
   std::vector<std::string> design_points;
   std::optional<uint64_t> walk_most = {};  // where it is given
   double near_plane = 0.2;
-  double rest = 0;                // transmittance, SimulateOptions::rest
-  double lod_pixels = 0;          // SimulateOptions::lod_pixels
+  double rest = 0;                    // transmittance, SimulateOptions::rest
+  double lod_pixels = 0;              // SimulateOptions::lod_pixels
   std::optional<double> stereo = {};  // way from the left eye to the right one, scene units
-  std::vector<std::string> aovs;  // names of those that frames write, or all
+  std::vector<std::string> aovs;      // names of those that frames write, or all
 
   void add(CLI::App& app, DesignPoints which = DesignPoints::kOne);
   // ConfigError where a field of a frame is given that no machine has, as all below.

@@ -202,7 +202,8 @@ void SequenceCheck::compare_picture(One& one, const GoldenPicture& golden, uint6
   const Frame& frame = input.frame;
   const Raster& raster = frame.raster;
   const bool in_raster = input.picture.format != 0;
-  const uint64_t side = static_cast<uint64_t>(config.window), base = in_raster ? input.picture.base : frame.tables.pixels;
+  const uint64_t side = static_cast<uint64_t>(config.window),
+                 base = in_raster ? input.picture.base : frame.tables.pixels;
   const uint64_t x0 = raster.windows.first_x * side, x1 = std::min(raster.width, (raster.windows.last_x + 1) * side),
                  y0 = raster.windows.first_y * side, y1 = std::min(raster.height, (raster.windows.last_y + 1) * side);
   const auto each = [&](const std::string& what, uint64_t ahead, auto&& expected, auto&& keep) {

@@ -26,7 +26,7 @@ struct Machine {
 // quads; then `late` with coarse numbers, without some parts, and PUs of four cycles; and `fast` with PUs of eight and
 // proxies that leaves out nothing of what is hidden, and with codes, proxies, pools that spill and the shortest queue;
 // and `wide`. Buses of all widths are among them, and a machine without one; clocks that never stop, too. `exact` with
-// living quads and the `fast` with proxies have AOVs, two and all.
+// living quads and the `fast` with proxies have AOVs, two and all; the one with codes has two eyes.
 inline const std::vector<Machine> kMachines = {
     {"dop"},
     {"dop", {"units=2", "fronts=1", "pixels_per_row=1", "grid=8", "tight_cull=1", "bus_w=256", "clock_gates=0"}},
@@ -45,9 +45,8 @@ inline const std::vector<Machine> kMachines = {
     {"late",
      {"antialias=1", "alpha_cut=128", "tile_test=0", "pace=4", "exp_linear=0", "t_cut=1000", "guard_band=0",
       "early_stop=0", "bus_w=0", "taps=0"}},
-    {"fast",
-     {"occlusion=0", "pace=8", "lod=1", "aov_coverage=1", "aov_depth=1", "aov_median=1", "aov_index=1"}},
-    {"fast", {"records=48", "nearest_nodes=128", "record=48", "lod=1"}},
+    {"fast", {"occlusion=0", "pace=8", "lod=1", "aov_coverage=1", "aov_depth=1", "aov_median=1", "aov_index=1"}},
+    {"fast", {"records=48", "nearest_nodes=128", "record=48", "lod=1", "eyes=2"}},
     {"wide"}};
 
 // Their numbers.

@@ -40,6 +40,11 @@ class Sequence {
   void rest(double transmittance) { options_.rest = transmittance; }
   // Of the frames to come: proxies of groups that differ by less than so many pixels.
   void lod_pixels(double pixels) { options_.lod_pixels = pixels; }
+  // Of the frames to come, of a machine with two eyes: whose pictures are made, and half the way between them.
+  void eyes(uint64_t wanted, double half_x, double half_y = 0) {
+    options_.eyes = wanted;
+    options_.half_eye = {half_x, half_y};
+  }
   // Of the frames to come: what they write beside their colours, of machines that have it.
   void aovs(uint64_t wanted) { options_.aovs = wanted; }
   // That a frame fetches, by the golden model.

@@ -126,6 +126,23 @@ TEST(Sequence, EachFrameHasItsOwnLevelOfDetail) {
   }
 }
 
+// One eye, the other, both, nearer and farther apart: each frame knows its own.
+TEST(Sequence, EachFrameHasItsOwnEyes) {
+  const Scene scene = random_scene(65, 1500, 1);
+  for (const size_t i : todays({kCrowded})) {
+    SCOPED_TRACE(config_difference(machine(i).config));
+    Sequence sequence(machine(i));
+    sequence.eyes(3, 0.05);
+    sequence.add(scene, test_camera(130, 70));
+    for (const auto& [wanted, x, y] : {std::tuple{1, 0.05, 0.0}, {2, 0.5, 0.1}, {3, 2.0, -0.3}, {3, 0.0, 0.0}}) {
+      sequence.eyes(static_cast<uint64_t>(wanted), x, y);
+      sequence.add(test_camera(130, 70));
+    }
+    sequence.expect_equal();
+    if (HasFatalFailure()) return;
+  }
+}
+
 // Other AOVs in each frame, by windows and in raster order: what a frame writes is its own.
 TEST(Sequence, EachFrameHasItsOwnAovs) {
   const Scene scene = random_scene(68, 1200, 1);
