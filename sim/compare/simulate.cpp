@@ -161,11 +161,13 @@ Image picture_of(const Simulation& simulation, const SimulateOptions& options) {
 
 PackedScene pack_views(const Scene& scene, const std::vector<Camera>& cameras, const SimulateOptions& options) {
   const Progress stage("packing the scene");
-  // World coordinates must hold the cameras and, in a tiny or empty scene, the near plane.
+  // World coordinates must hold the cameras and, in a tiny or empty scene, the near plane; half the way between two
+  // eyes has a bit less.
   double bound = 2 * options.near_plane;
   for (const Camera& camera : cameras) {
     for (int axis = 0; axis < 3; ++axis) bound = std::max(bound, std::abs(camera.position[axis]));
   }
+  for (const double half : options.half_eye) bound = std::max(bound, 2.5 * std::abs(half));
   PackedScene packed = pack_scene(options.config, scene, bound);
   if (options.found) options.found(check_packed(packed));
   return packed;
