@@ -9,6 +9,8 @@
 // Round   Half the distance to nearest in the unit of a chunk's view space, once for both.
 #pragma once
 
+#include <vector>
+
 #include "cpp_model/fixed.hpp"
 #include "cpp_model/records.hpp"
 
@@ -16,6 +18,14 @@ namespace pipegs {
 
 inline bool wants_eye(const Config& c, const Frame& frame, int eye) {
   return c.eyes == 1 ? eye == 0 : (frame.raster.eyes >> eye & 1) != 0;
+}
+
+inline std::vector<int> wanted_eyes(const Config& c, const Frame& frame) {
+  std::vector<int> wanted;
+  for (int eye = 0; eye < c.eyes; ++eye) {
+    if (wants_eye(c, frame, eye)) wanted.push_back(eye);
+  }
+  return wanted;
 }
 
 // What is added to a view coordinate, in units of 2^view_exp.

@@ -338,6 +338,7 @@ void Ru::write(Machine& m, size_t window, int region, uint64_t line, uint64_t ah
   const uint64_t window_x = m.frame.raster.windows.first_x + window % row_windows,
                  window_y = m.frame.raster.windows.first_y + window / row_windows,
                  side = static_cast<uint64_t>(m.config.window);
+  ahead += static_cast<uint64_t>(region_eye(m.config, region)) * m.frame.raster.eye_lines;
   if (m.trace.picture.format != 0) {
     const uint64_t x = window_x * side + 8 * static_cast<uint64_t>(region_x(m.config, region)),
                    y = window_y * side + 8 * static_cast<uint64_t>(region_y(m.config, region)) + line;
@@ -346,7 +347,8 @@ void Ru::write(Machine& m, size_t window, int region, uint64_t line, uint64_t ah
                         wide ? 3 : 1 << ru_raster_half(x));
   }
   const uint64_t number = window_y * columns + window_x;
-  const uint64_t place = number * static_cast<uint64_t>(m.config.regions()) + static_cast<uint64_t>(region);
+  const int in_picture = m.config.squares() * m.config.mask_w();  // regions of a window
+  const uint64_t place = number * static_cast<uint64_t>(in_picture) + static_cast<uint64_t>(region % in_picture);
   m.memory.ask(port_, m.frame.tables.pixels + place * static_cast<uint64_t>(m.config.region_lines()) + line + ahead,
                true);
 }

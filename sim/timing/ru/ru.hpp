@@ -62,7 +62,7 @@ class Ru {
   };
   struct Record {
     Beat beat;
-    uint8_t region;
+    uint16_t region;
     bool ext;
   };
 
@@ -130,7 +130,7 @@ class Ru {
   // what others will see
   struct Done {
     Cycle from;
-    uint8_t region;
+    uint16_t region;
   };
   FallQueue<Done, 4> done_coming_;
   bool window_coming_ = false;

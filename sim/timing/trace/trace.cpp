@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "cpp_model/eyes.hpp"
 #include "cpp_model/dopu/dopu.hpp"
 #include "cpp_model/dopu/dopu_walks.hpp"
 #include "cpp_model/dopu/nearest/dopu_depth.hpp"
@@ -46,7 +47,8 @@ class WindowTrace {
         frame_(input.frame),
         rows_(rows),
         x_(x),
-        y_(y) {}
+        y_(y),
+        eyes_(wanted_eyes(config_, frame_)) {}
 
   Part run() {
     if (config_.has_watermarks()) {
@@ -159,20 +161,22 @@ class WindowTrace {
       chunk.walk = walk().walk;
       TimingChunk sent{static_cast<uint32_t>(i),          static_cast<uint32_t>(part_.slot.size()),      0,
                        static_cast<uint16_t>(own_bucket), static_cast<uint32_t>(part_.walks.size() - 1), own_sides};
-      for (uint64_t k = 0; k < chunk.count; ++k) {
+      for (uint64_t seen = 0; seen < chunk.count * eyes_.size(); ++seen) {
+        const uint64_t slot = chunk.slot + seen / eyes_.size();
         bool dropped = false;
         Closed most;
-        const std::optional<GoldenConic> found = trace_conic(input_, chunk, chunk.slot + k, &dropped, &most);
+        const std::optional<GoldenConic> found =
+            trace_conic(input_, chunk, slot, &dropped, &most, eyes_[seen % eyes_.size()]);
         if (!found && !dropped) continue;
-        sent.survivors |= uint64_t{1} << k;
-        part_.slot.push_back(static_cast<uint32_t>(chunk.slot + k));
+        sent.survivors |= uint64_t{1} << seen;
+        part_.slot.push_back(static_cast<uint32_t>(slot));
         part_.dropped.push_back(dropped);
         if (config_.occlusion) part_.most.push_back(pack_most(most));
         if (dropped) {
           no_pair();
           continue;
         }
-        const std::vector<PuPart> parts = pu_parts(config_, found->conic, chunk.walk);
+        const std::vector<PuPart> parts = pu_parts(config_, found->conic, chunk.walk, found->payload.eye);
         part_.pairs.push_back(static_cast<uint32_t>(parts.size()));
         for (const PuPart& one : parts) {
           const TracePair pair = trace_pair(input_, one.conic, found->payload, one.part);
@@ -206,7 +210,8 @@ class WindowTrace {
   const Frame& frame_;
   const PuRows& rows_;
   const int x_, y_;
-  std::vector<Planes> planes_;  // of the present walk; with Occlusion also with 1, 2 ... regions of each side closed
+  const std::vector<int> eyes_;  // that are wanted
+  std::vector<Planes> planes_;   // of the present walk; with Occlusion also with 1, 2 ... regions of each side closed
   Part part_;
   std::vector<std::vector<TraceSplat>> layers_;
 };

@@ -37,7 +37,7 @@ inline constexpr TimingSides kWholePasses = 0x0001000100010001;
 struct TimingChunk {
   uint32_t chunk = 0;      // number of the node
   uint32_t first = 0;      // its first survivor
-  uint64_t survivors = 0;  // which of its Gaussians pu_cull keeps
+  uint64_t survivors = 0;  // which of its Gaussians pu_cull keeps, one after the other for each eye that is wanted
   uint16_t bucket = 0;     // of depth, order 2
   uint32_t walk = 0;       // of TimingTrace::walks
   TimingSides sides = kWholePasses;

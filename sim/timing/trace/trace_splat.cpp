@@ -16,13 +16,13 @@
 namespace pipegs {
 
 std::optional<GoldenConic> trace_conic(const GoldenInput& input, const Chunk& chunk, uint64_t slot, bool* late,
-                                       Closed* most) {
+                                       Closed* most, int eye) {
   const Config& config = input.packed->config;
   const Frame& frame = input.frame;
   Gap gap;
   const std::optional<Visible> visible =
       pu_cull(config, frame, golden_fetched(chunk, input.packed->gaussians[slot], slot), nullptr, &gap, {},
-              config.occlusion ? most : nullptr);
+              config.occlusion ? most : nullptr, eye);
   if (!visible) return std::nullopt;
   const bool drop = config.tight_cull && !pu_reach(config, frame, *visible, gap);
   if (late != nullptr) *late = drop;

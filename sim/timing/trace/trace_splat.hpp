@@ -31,7 +31,7 @@ void trace_quads(const PuRows& rows, const TraceSplat& splat, std::vector<uint16
 
 // Nothing when the cull drops it; `late`: only pu_reach does. `most`: see pu_cull.
 std::optional<GoldenConic> trace_conic(const GoldenInput& input, const Chunk& chunk, uint64_t slot,
-                                       bool* late = nullptr, Closed* most = nullptr);
+                                       bool* late = nullptr, Closed* most = nullptr, int eye = 0);
 
 // A Gaussian in the window, or its part, that the mean is relative to.
 TracePair trace_pair(const GoldenInput& input, const Conic& conic, const Payload& payload, uint64_t part);
