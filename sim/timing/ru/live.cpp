@@ -68,7 +68,7 @@ void Live::step(Machine& m, Cycle now, int lane, bool job) {
       const auto g = static_cast<unsigned>(std::countr_zero(rest));
       Group& group = groups_[g];
       group.queue[(group.head + group.count++) % kHalves] = {
-          static_cast<uint8_t>(region_of(pixels_)), static_cast<uint8_t>(half),
+          static_cast<uint16_t>(region_of(pixels_)), static_cast<uint8_t>(half),
           static_cast<uint8_t>((first >> g & 1) | (second >> g & 1) << 1)};
       group.fresh = 1;
       ++queued_;

@@ -48,10 +48,11 @@ class Live {
 
   using Stage = uint32_t;  // a region, above its quads; 0: none
   static constexpr Stage kValid = Stage{1} << 31;
-  static uint32_t region_of(Stage stage) { return stage >> 16 & 0xff; }
+  static uint32_t region_of(Stage stage) { return stage >> 16 & 0x1ff; }
 
   struct Half {
-    uint8_t region, half, live;  // live: of the group's two quads, bit 0 in its first row
+    uint16_t region;
+    uint8_t half, live;  // live: of the group's two quads, bit 0 in its first row
   };
   struct Group {
     std::array<Half, kHalves> queue;

@@ -112,7 +112,7 @@ void Ru::queued(Machine& m, Cycle from, bool line) {
 
 // The last quarter of the line in the lanes.
 void Ru::consume(Machine& m, Cycle now) {
-  uint8_t region;
+  uint16_t region;
   if (late_) {
     region = row_lines_.front().region;
     row_lines_.pop(now);

@@ -56,7 +56,8 @@ class Ru {
  private:
   struct Fetch {
     Beat beat;
-    uint8_t region, unit;
+    uint16_t region;
+    uint8_t unit;
     bool ext, skip;
     uint32_t address;
   };
