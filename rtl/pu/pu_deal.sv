@@ -5,10 +5,11 @@
 // Idea    A chunk goes to the fetch and cull of one PU (of PuFronts that have them), but chunks differ a hundredfold in
 //         work: 32 screen-filling splats or 32 specks. So survivors of all culls are dealt one by one to whichever PU
 //         has room, in turn. The sort behind makes the image independent of who gets which. A layer's end waits until
-//         all culls have reached it and goes to all PUs.
+//         all culls have reached it and goes to all PUs. What the second eye sees of the Gaussian dealt last goes to
+//         the same PU if that has room: it has the line of its colours (pu_color_fetch).
 // Stream  visible from each cull; visible to each PU, one record for all with one valid each. Room is no ready: it may
 //         not wait for valid, and a PU that cannot tell says yes.
-// Pace    One Gaussian per cycle (with a single PU every second one), latency one.
+// Pace    One Gaussian per cycle (with a single PU every second one), latency one. A second eye's view comes a cycle later.
 // Model   Any dealing is right: the test checks that each Gaussian arrives once, in its layer.
 
 module pu_deal #(
@@ -33,12 +34,13 @@ module pu_deal #(
 
   localparam int unsigned FrontW = Fronts > 1 ? $clog2(Fronts) : 1;
   localparam int unsigned UnitW  = Units > 1 ? $clog2(Units) : 1;
+  localparam int unsigned SlotAt = Bits - pipegs_pkg::EyeW - pipegs_pkg::SlotW;  // of a visible_t
 
-  logic [Fronts-1:0]    is_end, data, source;
+  logic [Fronts-1:0]    is_end, data, asking, source;
   logic [FrontW-1:0]    source_port;
   logic [Units-1:0]     room, target;
-  logic [UnitW-1:0]     target_port, last_q;  // last_q: the PU that was dealt to last
-  logic                 free, take_data, take_end;
+  logic [UnitW-1:0]     in_turn, target_port, last_q;  // last_q: the PU that was dealt to last
+  logic                 paired, free, take_data, take_end;
   logic [Units-1:0]     waiting_q;  // PUs that have still to take the record
   typedef struct packed {logic [Fronts-1:0][Bits-1:0] of;} visibles_t;
   visibles_t            heads;
@@ -54,10 +56,33 @@ module pu_deal #(
   assign data = in_valid_i & ~is_end;
   assign free = (waiting_q & ~out_ready_i) == '0;
 
+  // --- the other eye's view of the Gaussian dealt last ---------------------------------------------------------------
+  if (pipegs_pkg::Eyes > 1) begin : gen_pairs
+    localparam int unsigned SlotW = pipegs_pkg::SlotW;
+    logic [Fronts-1:0] second;
+    logic              dealt_q;  // in this layer
+    logic [SlotW-1:0]  slot_q;
+    always_comb begin
+      for (int unsigned i = 0; i < Fronts; i += 1) begin
+        second[i] = dealt_q && data[i] && heads.of[i][SlotAt +: SlotW] == slot_q;
+      end
+    end
+    always_ff @(posedge clk_i or negedge rst_ni) begin
+      if (!rst_ni) dealt_q <= 1'b0;
+      else if (take_data || take_end) dealt_q <= take_data;
+    end
+    always_ff @(posedge clk_i) if (take_data) slot_q <= heads.of[source_port][SlotAt +: SlotW];
+    assign paired = second != '0;
+    assign asking = paired ? second : data;
+  end else begin : gen_alone
+    assign paired = 1'b0;
+    assign asking = data;
+  end
+
   pipegs_arbiter #(.Ports(Fronts)) u_source (
     .clk_i,
     .rst_ni,
-    .request_i(data),
+    .request_i(asking),
     .advance_i(take_data),
     .grant_o(source),
     .port_o(source_port)
@@ -67,14 +92,15 @@ module pu_deal #(
   pipegs_round_robin #(.Ports(Units)) u_target (
     .mask_i(room),
     .last_i(last_q),
-    .choice_o(target_port)
+    .choice_o(in_turn)
   );
+  assign target_port = paired && room[last_q] ? last_q : in_turn;
   always_comb begin
     target              = '0;
     target[target_port] = room[target_port];
   end
 
-  assign take_data  = free && data != '0 && target != '0;
+  assign take_data  = free && data != '0 && target != '0 && !(paired && waiting_q[last_q]);
   assign take_end   = free && is_end == '1;
   assign in_ready_o = take_end ? '1 : take_data ? source : '0;
 

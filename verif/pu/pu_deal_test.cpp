@@ -32,6 +32,12 @@ class PuDeal : public testing::Test {
           source.back().kind = kData;
           source.back().index = index;
           layer_of[index++] = layer;
+          if (config.eyes == 1) continue;
+          source.back().eye = 0;
+          source.push_back(source.back());  // as the second eye sees it
+          source.back().eye = 1;
+          source.back().index = index;
+          layer_of[index++] = layer;
         }
         source.push_back({});
         source.back().kind = layer + 1 == layers ? kWindowEnd : kLayerEnd;
@@ -130,8 +136,20 @@ TEST_F(PuDeal, DealsOneGaussianPerCycleToPusInTurn) {
   const uint64_t cycles = deal(Pace::kAlways, Pace::kAlways, 1, 2000);
   // The last Gaussians come from fewer and fewer sources, each of which gives one per cycle; a single PU takes every
   // second.
-  const uint64_t pace = test_config().units == 1 ? 2 : 1;
-  EXPECT_LE(cycles, pace * dealt_ + 10);
+  // So is the second one of a pair.
+  const double pace = test_config().units == 1 ? 2 : test_config().eyes == 1 ? 1 : 1.5;
+  EXPECT_LE(static_cast<double>(cycles), pace * static_cast<double>(dealt_) + 10);
+}
+
+TEST_F(PuDeal, BothEyesViewsOfAGaussianGoToOnePuThatHasRoom) {
+  if (test_config().eyes == 1) GTEST_SKIP() << "one eye";
+  deal(Pace::kAlways, Pace::kAlways, 4, 300);
+  ASSERT_GT(dealt_, 500u);
+  for (size_t i = 0; i + 1 < order.size(); ++i) {
+    if (order[i].index == ~uint64_t{0} || order[i].index % 2 != 0) continue;
+    EXPECT_EQ(order[i + 1].index, order[i].index + 1) << "another Gaussian came between";
+    EXPECT_EQ(order[i + 1].unit, order[i].unit) << "Gaussian " << order[i].index;
+  }
 }
 
 }  // namespace

@@ -50,6 +50,7 @@ module pu_color #(
   // A job's task without spherical harmonics: its base colour.
   pipegs_pkg::color_task_t base_task;
   always_comb begin
+    base_task         = '0;
     base_task.kind    = job_i.kind;
     base_task.depth   = job_i.depth;
     base_task.index   = job_i.index;

@@ -5,6 +5,7 @@
 //         belongs to a task that is still queued, so a free place for the task is a free place for all three: no
 //         credits, and an answer of the memory always finds room. The directions leave early, and are evaluated
 //         while the line travels. A line that the table does not hold is not asked for, nor is any behind it (bad_o).
+//         With two eyes a job that needs the line of the job before it does not ask again: the task says so.
 // Stream  color_job -> color_task; for each data beat of a frame with SH also a view_direction and a 64-byte line.
 //         Degree 1 has four Gaussians in a line, degree 2 and 3 one; if Coded twice as many, and the half of the line
 //         that holds the Gaussian is asked for: nothing is said of the other one in the answer.
@@ -50,7 +51,7 @@ module pu_color_fetch #(
   localparam int unsigned AddressW = pipegs_pkg::AddressW;
   localparam int unsigned CountW = $clog2(Depth + 1);
 
-  logic                        room, take, ask;
+  logic                        room, take, ask, again;  // again: the line of the job before
   logic                        mem_valid_q;
   logic [AddressW-1:0]         mem_address_q, number;  // number: of the line in the table
   logic                        bad_q;
@@ -69,6 +70,7 @@ module pu_color_fetch #(
   assign ask         = take && job_i.kind == pipegs_pkg::KindData && sh_degree_i != '0;
 
   always_comb begin
+    head         = '0;
     head.kind    = job_i.kind;
     head.depth   = job_i.depth;
     head.index   = job_i.index;
@@ -84,12 +86,33 @@ module pu_color_fetch #(
     direction.z  = job_i.dir_z;
   end
 
+  logic                    upper;  // half of the line, if Coded
+  pipegs_pkg::color_task_t queued;
+  assign upper = one ? job_i.slot[QuarterW-1] : job_i.slot[0];
+  if (pipegs_pkg::Eyes > 1) begin : gen_pairs
+    logic              asked_q, upper_q;  // asked: for the line in number_q
+    logic [AddressW-1:0] number_q;
+    assign again = ask && asked_q && number == number_q && (pipegs_pkg::Coded == 0 || upper == upper_q);
+    always_ff @(posedge clk_i or negedge rst_ni) begin
+      if (!rst_ni) asked_q <= 1'b0;
+      else if (take) asked_q <= ask;
+    end
+    always_ff @(posedge clk_i) if (ask) {number_q, upper_q} <= {number, upper};
+    always_comb begin
+      queued       = head;
+      queued.again = again;
+    end
+  end else begin : gen_alone
+    assign again  = 1'b0;
+    assign queued = head;
+  end
+
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
       mem_valid_q <= 1'b0;
       bad_q       <= 1'b0;
     end else begin
-      if (ask) mem_valid_q <= number < colors_i.lines;
+      if (ask) mem_valid_q <= number < colors_i.lines && !again;
       else if (mem_ready_i) mem_valid_q <= 1'b0;
       if (ask && number >= colors_i.lines) bad_q <= 1'b1;
     end
@@ -97,10 +120,12 @@ module pu_color_fetch #(
   always_ff @(posedge clk_i) if (ask) mem_address_q <= colors_i.first + number;
   if (pipegs_pkg::Coded) begin : gen_half
     logic upper_q;
-    always_ff @(posedge clk_i) if (ask) upper_q <= one ? job_i.slot[QuarterW-1] : job_i.slot[0];
+    always_ff @(posedge clk_i) if (ask) upper_q <= upper;
     assign mem_halves_o = {upper_q, !upper_q};
   end else begin : gen_whole
     assign mem_halves_o = '1;
+    logic unused_upper;
+    assign unused_upper = upper;
   end
   assign bad_o         = bad_q;
   assign bad_line_o    = mem_address_q;
@@ -113,7 +138,7 @@ module pu_color_fetch #(
     .rst_ni,
     .in_valid_i (take),
     .in_ready_o (room),
-    .in_i       (head),
+    .in_i       (queued),
     .out_valid_o(task_valid_o),
     .out_ready_i(task_ready_i),
     .out_o      (task_o),

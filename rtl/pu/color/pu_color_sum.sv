@@ -5,7 +5,8 @@
 //         integers and the sum is shifted once:  sum * 2^(e - 26 - ShMW - BasisF)  ->  s8.WorkF, two guard bits
 //         below base and colour. A step takes two basis functions times three channels: six multipliers of ShMW x
 //         BasisW bits. If Coded the six are made of their codes first: each band's are shifted by its own number.
-// Stream  color_task, SH line and sh_basis (the last two for data beats of a frame with SH) -> colored.
+// Stream  color_task, SH line and sh_basis (the last two for data beats of a frame with SH; no line for a task that
+//         needs the one before it again, which is kept) -> colored.
 // Pace    One Gaussian in 8 cycles at degree 3, 5 at degree 1 and 2, 2 without SH; latency 12 (9, 6, 2).
 // Model   cpp_model/pu/color/pu_color_sum.hpp
 //
@@ -56,7 +57,7 @@ module pu_color_sum (
   logic [2:0]                  step_q, last_step;
   logic [2:0]                  tail_q;  // 0: nothing under way
   logic [1:0]                  degree;
-  logic                        shaded, pass, ready, final_step, step, pop;
+  logic                        shaded, again, pass, ready, final_step, step, pop;
   logic                        colored_valid_q;
   pipegs_pkg::colored_t          colored_q;
 
@@ -72,17 +73,17 @@ module pu_color_sum (
 
   // The output register takes the Gaussian with its last step and gets its colour at the end of the tail.
   assign shaded     = task_i.kind == pipegs_pkg::KindData && degree != 2'd0;
-  assign ready      = task_valid_i && (!shaded || (line_valid_i && basis_valid_i));
+  assign ready      = task_valid_i && (!shaded || ((line_valid_i || again) && basis_valid_i));
   assign final_step = !shaded || step_q == last_step;
   assign pass       = !final_step || (tail_q == 3'd0 && (!colored_valid_q || colored_ready_i));
   assign step       = ready && pass;
   assign pop        = step && final_step;
 
   assign task_ready_o     = pop;
-  assign line_ready_o     = pop && shaded;
+  assign line_ready_o     = pop && shaded && !again;
   assign basis_ready_o    = pop && shaded;
   assign busy_o           = tail_q != 3'd0 || colored_valid_q;
-  assign waiting_memory_o = task_valid_i && shaded && !line_valid_i;
+  assign waiting_memory_o = task_valid_i && shaded && !line_valid_i && !again;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
@@ -98,6 +99,18 @@ module pu_color_sum (
       if (tail_q == 3'd4) colored_valid_q <= 1'b1;
       else if (colored_ready_i) colored_valid_q <= 1'b0;
     end
+  end
+
+  // --- the line: the other eye's view of the Gaussian before needs the same ------------------------------------
+  logic [pipegs_pkg::MemoryW-1:0] line;
+  if (pipegs_pkg::Eyes > 1) begin : gen_pairs
+    logic [pipegs_pkg::MemoryW-1:0] kept_q;
+    always_ff @(posedge clk_i) if (line_ready_o) kept_q <= line_i;
+    assign again = task_i.again;
+    assign line  = again ? kept_q : line_i;
+  end else begin : gen_alone
+    assign again = 1'b0;
+    assign line  = line_i;
   end
 
   // --- operands: the pair of coefficients and basis functions of this step -------------------------------------
@@ -122,7 +135,7 @@ module pu_color_sum (
       .degree_i(degree),
       .step_i(step_q),
       .quarter_i(task_i.quarter),
-      .line_i,
+      .line_i(line),
       .pair_o(coef_pair),
       .exponent_o(slot_exponent)
     );
@@ -132,7 +145,7 @@ module pu_color_sum (
       .degree_i(degree),
       .step_i(step_q),
       .quarter_i(task_i.quarter),
-      .line_i,
+      .line_i(line),
       .pair_o(coef_pair),
       .exponent_o(slot_exponent)
     );

@@ -25,14 +25,22 @@ Color::Color(const Machine& m, int lane)
 
 void Color::push(Machine& m, Cycle now, const Splat& splat) {
   const bool shaded = !is_end(splat.beat) && memory_;
-  tasks_.push(now, {splat, shaded, now});
+  Task task{.splat = splat, .shaded = shaded, .pushed = now};
   if (shaded) {
     const uint32_t slot = m.trace.slot[m.config.parts() > 1 ? m.trace.survivor[splat.beat] : splat.beat];
     const int place = color_place(m.config, static_cast<int>(m.frame.tables.sh_degree), slot);
-    m.memory.ask(port_, color_line(m.config, m.frame, slot), false, 1,
-                 m.config.coded() ? 1 << (place >= m.config.memory_w() / 2) : 3);
-    free_from_ = kNever;
+    const Line line{color_line(m.config, m.frame, slot),
+                    m.config.coded() ? 1 << (place >= m.config.memory_w() / 2) : 3};
+    task.again = m.config.eyes > 1 && line == asked_;
+    if (!task.again) {
+      m.memory.ask(port_, line.number, false, 1, line.halves);
+      free_from_ = kNever;
+    }
+    asked_ = line;
+  } else {
+    asked_.reset();
   }
+  tasks_.push(now, task);
   m.wheel.wake(self_, tasks_from());
 }
 
@@ -58,7 +66,7 @@ void Color::step(Machine& m, Cycle now) {
   Cycle when = tasks_from();
   if (task.shaded) {
     if (!basis_known_) basis_from_ = basis_from(task.pushed), basis_known_ = true;
-    when = std::max({when, lines_.head_from(), basis_from_});
+    when = std::max({when, task.again ? when : lines_.head_from(), basis_from_});
     if (when >= kNever) return;  // the memory wakes us
     when += last_step_;
   }
@@ -69,7 +77,7 @@ void Color::step(Machine& m, Cycle now) {
   out.set(tail_free_, task.splat);
   m.wheel.wake(taker_, tail_free_);
   if (task.shaded) {
-    lines_.pop(now);
+    if (!task.again) lines_.pop(now);
     sum_pop_ = now;
     basis_known_ = false;
   }
@@ -89,6 +97,8 @@ void Color::rows_end(Machine& m, Cycle now) {
   m.wheel.wake(taker_, now + 1);
 }
 
-bool Color::waiting(Cycle now) const { return tasks_.valid(now) && tasks_.front().shaded && !lines_.valid(now); }
+bool Color::waiting(Cycle now) const { 
+  return tasks_.valid(now) && tasks_.front().shaded && !tasks_.front().again && !lines_.valid(now);
+}
 
 }  // namespace pipegs::timing

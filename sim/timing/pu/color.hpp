@@ -8,6 +8,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 
 #include "cpp_model/config.hpp"
 #include "sim/timing/cycle.hpp"
@@ -41,6 +42,12 @@ class Color {
     Splat splat;
     bool shaded = false;
     Cycle pushed = 0;
+    bool again = false;  // its line is that of the task before
+  };
+  struct Line {
+    uint64_t number = 0;
+    int halves = 0;
+    bool operator==(const Line&) const = default;
   };
   Cycle tasks_from() const {
     return flat_ && !tasks_.empty() ? std::max(tasks_.front().pushed + 1, tasks_.last_pop() + 1) : tasks_.head_from();
@@ -55,6 +62,7 @@ class Color {
   SramQueue<Task, Config::color_depth()> tasks_;
   const bool flat_;  // without SH hardware: a queue of registers, which is a cycle faster
   SramQueue<uint8_t, Config::color_depth()> lines_;
+  std::optional<Line> asked_;   // of the task that was queued last
   Cycle free_from_ = kLongAgo;  // the request register
   int ends_ = 0;
 

@@ -16,6 +16,13 @@ void Deal::step(Machine& m, Cycle now) {
     if (pu.front() && pu.culled.shown(now)) (is_end(pu.culled.value) ? ends : data) |= uint32_t{1} << k;
   }
   const uint32_t targets = room & ~waiting_;
+  uint32_t second = 0;  // what the other eye sees of the Gaussian dealt last
+  for (uint32_t rest = slot_ ? data : 0; rest != 0; rest &= rest - 1) {
+    const int k = std::countr_zero(rest);
+    if (m.trace.slot[m.pu[static_cast<size_t>(k)].culled.value] == *slot_) second |= uint32_t{1} << k;
+  }
+  const uint32_t partner = uint32_t{1} << target_last_;
+  const bool held = second != 0 && (waiting_ & partner) != 0;
 
   bool moved = false;
   for (uint32_t rest = waiting_ & room; rest != 0; rest &= rest - 1) {
@@ -36,15 +43,18 @@ void Deal::step(Machine& m, Cycle now) {
   };
   if (free && data == 0 && std::popcount(ends) == m.config.pu_fronts()) {
     for (int k = m.config.pu_fronts(); k-- > 0;) take(k);
+    slot_.reset();
     waiting_ = (uint32_t{1} << m.units) - 1;
   }
-  const bool dealt = free && data != 0 && targets != 0;
+  const bool dealt = free && data != 0 && targets != 0 && !held;
+  const uint32_t asking = second != 0 ? second : data;
   if (dealt) {
-    take(source_.port(data));
-    target_last_ = round_robin(targets, target_last_);
+    take(source_.port(asking));
+    if (m.config.eyes > 1) slot_ = m.trace.slot[beat_];
+    if (second == 0 || (targets & partner) == 0) target_last_ = round_robin(targets, target_last_);
     waiting_ = uint32_t{1} << target_last_;
   }
-  source_.clock(data, dealt);
+  source_.clock(asking, dealt);
   if (moved) m.wheel.wake(unit(kDeal), now + 1);
 }
 

@@ -4,6 +4,8 @@
 // RTL     rtl/pu/pu_deal.sv
 #pragma once
 
+#include <optional>
+
 #include "sim/timing/cycle.hpp"
 
 namespace pipegs::timing {
@@ -19,6 +21,7 @@ class Deal {
   Beat beat_ = 0;
   Arbiter source_;
   int target_last_ = 0;
+  std::optional<uint32_t> slot_;  // of the Gaussian dealt last in this layer (two eyes)
 };
 
 }  // namespace pipegs::timing

@@ -115,8 +115,11 @@ TEST(PuColor, EqualsItsModelAtEveryPaceAndDegree) {
       for (const Pace sink_pace : kPaces) {
         Fixture setup(degree, source_pace, sink_pace, Pace::kCoin,
                       {.latency = 40, .bytes_per_cycle = 20, .jitter = 30, .queue = 8});
+        uint64_t slot = 0;
         for (int i = 0; i < 250; ++i) {
           ColorJob job = random_job(setup.bench.rng);
+          if (setup.bench.rng() % 3 == 0) job.slot = slot;  // the other eye's view of the one before
+          slot = job.slot;
           if (setup.bench.rng() % 10 == 0) job.kind = setup.bench.rng() % 2 == 0 ? kLayerEnd : kWindowEnd;
           setup.push(job);
         }
@@ -158,6 +161,26 @@ TEST(PuColor, AsksForOneLinePerGaussianAndForNoneWithoutSh) {
     setup.check();
     EXPECT_EQ(setup.port.requests, degree == 0 || kConfig.sh_degree == 0 ? 0u : 45u);
     EXPECT_EQ(setup.memory.traffic()[0].halves_read, setup.port.requests * (kConfig.coded() ? 1 : 2));
+  }
+}
+
+// One line for both views of a Gaussian, but for a machine with one eye: there no Gaussian comes twice. A frame may have
+// another table than the one before it, so what was asked for before an end is asked for again.
+TEST(PuColor, TwoEyesShareALine) {
+  if (kConfig.sh_degree == 0) GTEST_SKIP() << "no lines without SH";
+  for (uint64_t degree = 1; degree <= 3; ++degree) {
+    Fixture setup(degree, Pace::kAlways, Pace::kAlways, Pace::kAlways, {});
+    ColorJob job = random_job(setup.bench.rng);
+    const auto look = [&](uint64_t slot) {
+      const ColorJob next = random_job(setup.bench.rng);
+      job.dir_x = next.dir_x, job.dir_y = next.dir_y, job.dir_z = next.dir_z, job.slot = slot;
+      setup.push(job);
+    };
+    for (uint64_t slot = 0; slot < 80; slot += 8) look(slot), look(slot);
+    setup.push({.kind = kLayerEnd});
+    look(72), look(72), look(0);
+    setup.check();
+    EXPECT_EQ(setup.port.requests, kConfig.eyes > 1 ? 12u : 23u) << "degree " << degree;
   }
 }
 
