@@ -40,7 +40,7 @@ module pipegs_pu #(
   output pipegs_pkg::visible_t                 culled_o,
   input  logic                                 visible_valid_i,  // Gaussians dealt to this PU
   output logic                                 visible_ready_o,
-  output logic                                 visible_room_o,   // whether or not one is shown
+  output logic                                 visible_room_o,   // whether or not one is shown; with two eyes for two
   input  pipegs_pkg::visible_t                 visible_i,
 
   input  logic [Units*pipegs_pkg::Regions-1:0] done_i,      // from the RUs
@@ -184,7 +184,12 @@ module pipegs_pu #(
     .count_o(visible_count)
   );
 
-  assign visible_room_o = visible_ready_o;
+  // pu_deal: the second eye's view of a Gaussian comes to the PU that has the first one's.
+  if (pipegs_pkg::Eyes > 1) begin : gen_pairs
+    assign visible_room_o = 32'(visible_count) + 2 <= VisibleDepth;
+  end else begin : gen_alone
+    assign visible_room_o = visible_ready_o;
+  end
 
   pu_shape u_shape (
     .clk_i,

@@ -6,7 +6,8 @@
 //         work: 32 screen-filling splats or 32 specks. So survivors of all culls are dealt one by one to whichever PU
 //         has room, in turn. The sort behind makes the image independent of who gets which. A layer's end waits until
 //         all culls have reached it and goes to all PUs. What the second eye sees of the Gaussian dealt last goes to
-//         the same PU if that has room: it has the line of its colours (pu_color_fetch).
+//         the same PU: it has the line of its colours (pu_color_fetch). So with two eyes a PU has room when it has it
+//         for two.
 // Stream  visible from each cull; visible to each PU, one record for all with one valid each. Room is no ready: it may
 //         not wait for valid, and a PU that cannot tell says yes.
 // Pace    One Gaussian per cycle (with a single PU every second one), latency one. A second eye's view comes a cycle later.
@@ -26,7 +27,7 @@ module pu_deal #(
 
   output logic [Units-1:0]       out_valid_o,
   input  logic [Units-1:0]       out_ready_i,
-  input  logic [Units-1:0]       out_room_i,   // PUs that one may choose
+  input  logic [Units-1:0]       out_room_i,   // PUs that one may choose; not to be asked for a second eye's view
   output pipegs_pkg::visible_t   out_o,
 
   output logic                   active_o
@@ -94,13 +95,13 @@ module pu_deal #(
     .last_i(last_q),
     .choice_o(in_turn)
   );
-  assign target_port = paired && room[last_q] ? last_q : in_turn;
+  assign target_port = paired ? last_q : in_turn;
   always_comb begin
     target              = '0;
-    target[target_port] = room[target_port];
+    target[target_port] = paired ? !waiting_q[last_q] : room[target_port];
   end
 
-  assign take_data  = free && data != '0 && target != '0 && !(paired && waiting_q[last_q]);
+  assign take_data  = free && data != '0 && target != '0;
   assign take_end   = free && is_end == '1;
   assign in_ready_o = take_end ? '1 : take_data ? source : '0;
 

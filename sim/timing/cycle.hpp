@@ -51,7 +51,7 @@ class Queue {
     if (depth > Capacity) throw std::logic_error("timing model: a queue deeper than its array");
   }
 
-  bool room(Cycle now) const { return count_ + (last_pop_ == now ? 1 : 0) < depth_; }
+  bool room(Cycle now, int beats = 1) const { return count_ + (last_pop_ == now ? 1 : 0) + beats <= depth_; }
   bool valid(Cycle now) const { return count_ > 0 && head_from_ <= now; }
   bool empty() const { return count_ == 0; }
   int count() const { return count_; }

@@ -141,7 +141,7 @@ TEST_F(PuDeal, DealsOneGaussianPerCycleToPusInTurn) {
   EXPECT_LE(static_cast<double>(cycles), pace * static_cast<double>(dealt_) + 10);
 }
 
-TEST_F(PuDeal, BothEyesViewsOfAGaussianGoToOnePuThatHasRoom) {
+TEST_F(PuDeal, BothEyesViewsOfAGaussianGoToOnePu) {
   if (test_config().eyes == 1) GTEST_SKIP() << "one eye";
   deal(Pace::kAlways, Pace::kAlways, 4, 300);
   ASSERT_GT(dealt_, 500u);

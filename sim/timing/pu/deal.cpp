@@ -9,20 +9,20 @@
 namespace pipegs::timing {
 
 void Deal::step(Machine& m, Cycle now) {
-  uint32_t room = 0, data = 0, ends = 0;
+  uint32_t room = 0, free_pus = 0, data = 0, ends = 0;
   for (int k = 0; k < m.units; ++k) {
     Pu& pu = m.pu[static_cast<size_t>(k)];
     room |= uint32_t{pu.visible.room(now)} << k;
+    free_pus |= uint32_t{pu.visible.room(now, m.config.eyes)} << k;  // for what all eyes see of a Gaussian
     if (pu.front() && pu.culled.shown(now)) (is_end(pu.culled.value) ? ends : data) |= uint32_t{1} << k;
   }
-  const uint32_t targets = room & ~waiting_;
+  uint32_t targets = free_pus & ~waiting_;
   uint32_t second = 0;  // what the other eye sees of the Gaussian dealt last
   for (uint32_t rest = slot_ ? data : 0; rest != 0; rest &= rest - 1) {
     const int k = std::countr_zero(rest);
     if (m.trace.slot[m.pu[static_cast<size_t>(k)].culled.value] == *slot_) second |= uint32_t{1} << k;
   }
-  const uint32_t partner = uint32_t{1} << target_last_;
-  const bool held = second != 0 && (waiting_ & partner) != 0;
+  if (second != 0) targets = (uint32_t{1} << target_last_) & ~waiting_;
 
   bool moved = false;
   for (uint32_t rest = waiting_ & room; rest != 0; rest &= rest - 1) {
@@ -46,12 +46,12 @@ void Deal::step(Machine& m, Cycle now) {
     slot_.reset();
     waiting_ = (uint32_t{1} << m.units) - 1;
   }
-  const bool dealt = free && data != 0 && targets != 0 && !held;
+  const bool dealt = free && data != 0 && targets != 0;
   const uint32_t asking = second != 0 ? second : data;
   if (dealt) {
     take(source_.port(asking));
     if (m.config.eyes > 1) slot_ = m.trace.slot[beat_];
-    if (second == 0 || (targets & partner) == 0) target_last_ = round_robin(targets, target_last_);
+    target_last_ = round_robin(targets, target_last_);
     waiting_ = uint32_t{1} << target_last_;
   }
   source_.clock(asking, dealt);

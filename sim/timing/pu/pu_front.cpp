@@ -141,7 +141,7 @@ void Pu::project(Machine& m, Cycle now) {
   const int self = unit(kProject, lane_);
   const Cycle when = std::max(phases_.ready(), visible.head_from());
   if (when > now) return m.wheel.wake(self, when);
-  if (visible.count() == Config::visible_depth()) m.wheel.wake(unit(kDeal), now + 1);
+  if (visible.count() > Config::visible_depth() - m.config.eyes) m.wheel.wake(unit(kDeal), now + 1);
   const Beat beat = visible.front();
   visible.pop(now);
   if (phases_.take(now, beat)) m.wheel.wake(unit(kConic, lane_), four_ ? now + 1 : phases_.out.from);
