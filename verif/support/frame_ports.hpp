@@ -16,11 +16,17 @@ inline Areas wide_areas() {
 }
 inline Span wide_overflow(const Frame& frame) { return overflow_span(frame, wide_areas()); }
 
+inline uint64_t cut_bits(int64_t value, int width) {
+  return static_cast<uint64_t>(value) & ((uint64_t{1} << width) - 1);
+}
+
 template <class Dut>
 void write_frame(const Config& config, Dut& dut, const Frame& frame, const Areas& areas = wide_areas()) {
 // clang-format off
 #define RECORD_PORT(port, part) if constexpr (requires { dut.port; }) write_record(config, dut.port, frame.part);
 #define FIELD_PORT(port, part) if constexpr (requires { dut.port; }) dut.port = frame.part;
+#define HALF_PORT(port, part) \
+  if constexpr (requires { dut.port; }) dut.port = cut_bits(frame.part, std::max(1, config.half_eye_w()));
 #define SPAN_PORT(port, part) \
   if constexpr (requires { dut.port; }) write_record(config, dut.port, Span{frame.tables.part, areas.part});
   if constexpr (requires { dut.frame_i; }) write_record(config, dut.frame_i, frame);
@@ -45,9 +51,12 @@ void write_frame(const Config& config, Dut& dut, const Frame& frame, const Areas
   SPAN_PORT(overflow_i, overflow)
   FIELD_PORT(sh_degree_i, tables.sh_degree)
   FIELD_PORT(pixels_i, tables.pixels)
+  HALF_PORT(half_x_i, eyes.half_x)
+  HALF_PORT(half_y_i, eyes.half_y)
 #undef RECORD_PORT
 #undef SPAN_PORT
 #undef FIELD_PORT
+#undef HALF_PORT
   // clang-format on
 }
 

@@ -197,6 +197,60 @@ TEST(PuCull, ModelKeepsLessTheMoreIsClosed) {
   EXPECT_GT(dropped, 100);
 }
 
+// With two eyes: shows each Gaussian to the one that it is meant for.
+struct Looks : Endpoint {
+  Bench<Vpu_cull>& bench;
+  std::vector<int> eyes;  // of each input
+  size_t taken = 0;
+  explicit Looks(Bench<Vpu_cull>& b) : bench(b) { b.add(*this); }
+  void drive() override { bench.dut.eye_i = static_cast<CData>(taken < eyes.size() ? eyes[taken] : bench.rng() % 2); }
+  void observe() override { taken += bench.dut.fetched_valid_i && bench.dut.fetched_ready_o; }
+};
+
+TEST(PuCull, SeesWhatTheEyeSees) {
+  const Config config = test_config();
+  if (config.eyes == 1) GTEST_SKIP() << "one eye";
+  std::mt19937_64 rng(test_seed());
+  PuRandom random{config, rng};
+  size_t one = 0, both = 0;
+  for (const Pace pace : kPaces) {
+    for (int i = 0; i < 12; ++i) {
+      StageRun<Stage> run = make_run()(random, 500);
+      uint64_t least = 63;  // view_exp: its unit leaves room for half the distance
+      for (const Fetched& in : run.inputs) least = in.kind == kData ? std::min(least, in.view_exp) : least;
+      const auto half = [&] {
+        const int64_t most = int64_t{1} << (rng() % (static_cast<uint64_t>(config.view_w - 2) + least));
+        return std::clamp(random.integer(-most, most), -(int64_t{1} << (config.half_eye_w() - 1)) + 1,
+                          (int64_t{1} << (config.half_eye_w() - 1)) - 1);
+      };
+      run.frame.eyes.half_x = half(), run.frame.eyes.half_y = half();
+      Bench<Vpu_cull> bench;
+      write_frame(config, bench.dut, run.frame);
+      auto source = Stage::source(bench, config, pace);
+      auto sink = Stage::sink(bench, config, pace);
+      Looks looks(bench);
+      bench.reset();
+      std::vector<Visible> expected;
+      for (const Fetched& in : run.inputs) {
+        looks.eyes.push_back(in.kind == kData ? static_cast<int>(rng() % 2) : 0);
+        source.push(in);
+        std::optional<Visible> seen[2];
+        for (const int eye : {0, 1}) seen[eye] = pu_cull(config, run.frame, in, nullptr, nullptr, {}, nullptr, eye);
+        one += seen[0].has_value() != seen[1].has_value();
+        both += in.kind == kData && seen[0] && seen[1] && seen[0]->view_x != seen[1]->view_x;
+        if (seen[looks.eyes.back()]) expected.push_back(*seen[looks.eyes.back()]);
+      }
+      bench.run_until([&] { return source.empty() && sink.size() >= expected.size(); }, 100000);
+      for (int k = 0; k < 20; ++k) bench.step();
+      ASSERT_EQ(sink.size(), expected.size());
+      for (size_t k = 0; k < expected.size(); ++k)
+        ASSERT_EQ(first_difference(config, expected[k], sink.at(k)), "") << "beat " << k << ", seed " << bench.seed;
+    }
+  }
+  EXPECT_GT(one, 500u) << "one eye sees it";
+  EXPECT_GT(both, 1000u);
+}
+
 TEST(PuCull, TakesAGaussianEveryCycle) {
   const Config config = test_config();
   std::mt19937_64 rng(test_seed());
