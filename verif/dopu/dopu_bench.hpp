@@ -134,6 +134,7 @@ struct World {
     std::optional<WindowRange> windows;
     if (part) windows = WindowRange{1, 0, 1, 1};
     frame = frame_setup(config, packed, camera, windows);
+    spread_eyes(config, packed, frame);
   }
   void load(ExternalMemory& memory) const { memory.load(memory_image(packed).lines); }
 };

@@ -41,6 +41,22 @@ bool touches(const PackedScene& packed, const Frame& frame, const Camera& camera
          overlaps(p.mean.y, p.c, window_y * config.window, camera.height);
 }
 
+// Where the frame has the camera, or its eyes.
+std::vector<Camera> exact_cameras(const PackedScene& packed, const Frame& frame, const Camera& camera) {
+  const double unit = std::ldexp(1.0, packed.scene_exponent);
+  std::vector<Camera> cameras;
+  for (int eye = 0; eye < packed.config.eyes; ++eye) {
+    const double side = packed.config.eyes == 1 ? 0 : eye == 0 ? -unit : unit;
+    const glm::dvec3 half(side * static_cast<double>(frame.eyes.half_x), side * static_cast<double>(frame.eyes.half_y),
+                          0);
+    cameras.push_back(camera);
+    cameras.back().position =
+        glm::dvec3(frame.camera.position.x, frame.camera.position.y, frame.camera.position.z) * unit +
+        glm::transpose(camera.world_to_camera) * half;
+  }
+  return cameras;
+}
+
 TEST(DopuTestModel, NeverRejectsANodeWithAGaussianThatTouchesTheWindow) {
   const Config config = test_config();
   std::mt19937_64 rng(test_seed());
@@ -55,10 +71,9 @@ TEST(DopuTestModel, NeverRejectsANodeWithAGaussianThatTouchesTheWindow) {
     }
     const Camera camera = random_camera(rng, 300 + static_cast<int>(rng() % 300), 200 + static_cast<int>(rng() % 200));
     const PackedScene packed = pack_scene(config, scene, camera_bound(camera));
-    const Frame frame = frame_setup(config, packed, camera);
-    Camera exact = camera;
-    exact.position = glm::dvec3(frame.camera.position.x, frame.camera.position.y, frame.camera.position.z) *
-                     std::ldexp(1.0, packed.scene_exponent);
+    Frame frame = frame_setup(config, packed, camera);
+    spread_eyes(config, packed, frame);
+    const std::vector<Camera> exact = exact_cameras(packed, frame, camera);
     for (int wy = 0; wy <= static_cast<int>(frame.raster.windows.last_y); ++wy) {
       for (int wx = 0; wx <= static_cast<int>(frame.raster.windows.last_x); ++wx) {
         std::vector<bool> chosen(packed.chunks.size());
@@ -68,7 +83,9 @@ TEST(DopuTestModel, NeverRejectsANodeWithAGaussianThatTouchesTheWindow) {
         for (size_t c = 0; c < packed.chunks.size(); ++c) {
           const Node& node = packed.chunks[c];
           for (uint64_t slot = node.first; slot < node.first + node.count; ++slot) {
-            const bool need = touches(packed, frame, exact, node, packed.gaussians[slot], wx, wy);
+            const bool need = std::any_of(exact.begin(), exact.end(), [&](const Camera& seen) {
+              return touches(packed, frame, seen, node, packed.gaussians[slot], wx, wy);
+            });
             needed += need;
             sent += chosen[c];
             ASSERT_TRUE(!need || chosen[c]) << "view " << view << ", window " << wx << ", " << wy << ", chunk " << c
@@ -149,7 +166,8 @@ void compare(Pace pace) {
     const Scene scene = random_scene(bench.rng, 300);
     const Camera camera = random_camera(bench.rng, 500, 400);
     const PackedScene packed = pack_scene(config, scene, camera_bound(camera));
-    const Frame frame = frame_setup(config, packed, camera, {}, round % 3 == 0 ? 2.0 : 0.2);
+    Frame frame = frame_setup(config, packed, camera, {}, round % 3 == 0 ? 2.0 : 0.2);
+    spread_eyes(config, packed, frame);
     write_frame(config, dut, frame);
     Planes sets[2];
     Words words(2 * kPlanes * static_cast<size_t>(record_width<Plane>(config)) / 32 + 4), one(4);

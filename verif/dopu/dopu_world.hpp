@@ -2,6 +2,7 @@
 // dopu_world.hpp: random cameras, scenes and nodes for the tests of the DOPU.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -43,6 +44,14 @@ Camera random_camera(Rng& rng, int width, int height) {
   camera.cx += draw_normal(rng) * 20;
   camera.cy += draw_normal(rng) * 20;
   return camera;
+}
+
+// With two eyes: of one place, near each other, or as far apart as the scene is wide.
+inline void spread_eyes(const Config& config, const PackedScene& packed, Frame& frame) {
+  if (config.eyes == 1) return;
+  std::mt19937_64 rng(static_cast<uint64_t>(frame.camera.position.x ^ frame.camera.position.z));
+  const double apart = std::array{0.0, 0.03, 0.5, 4.0}[rng() % 4];
+  frame_eyes(config, packed, {apart * draw_normal(rng), apart / 3 * draw_normal(rng)}, frame);
 }
 
 inline double camera_bound(const Camera& camera) {

@@ -51,6 +51,13 @@ void write_frame(const Config& config, Dut& dut, const Frame& frame, const Areas
   SPAN_PORT(overflow_i, overflow)
   FIELD_PORT(sh_degree_i, tables.sh_degree)
   FIELD_PORT(pixels_i, tables.pixels)
+  if constexpr (requires { dut.eye_reach_i; }) {
+    const uint64_t reaches[3] = {frame.eyes.reach_x, frame.eyes.reach_y, frame.eyes.reach_z};
+    Words words(8);
+    for (int axis = 0; axis < 3; ++axis)
+      put_bits(words.data(), axis * config.box_reach_w(), config.box_reach_w(), reaches[axis]);
+    write_port(dut.eye_reach_i, words.data());
+  }
   HALF_PORT(half_x_i, eyes.half_x)
   HALF_PORT(half_y_i, eyes.half_y)
 #undef RECORD_PORT
