@@ -122,7 +122,7 @@ struct PuRandom {
   // Of a window, or of a part of it.
   uint64_t walk() {
     return !config.has_walks() || chance(3) ? kWholeWalk
-                                            : walk_of(config, rng() % static_cast<uint64_t>(config.parts()));
+                                            : walk_of(config, rng() % static_cast<uint64_t>(config.squares()));
   }
 
   // A visible Gaussian of any depth, mostly near the image, from 1/1000 pixel to far larger than it.

@@ -24,8 +24,8 @@ template <class Rng>
 Open random_open(const Config& config, uint64_t window_x, uint64_t window_y, Rng& rng) {
   Open open{.known = 1, .window_x = window_x, .window_y = window_y, .whole = random_closed(config, kWholeWalk, rng)};
   if (!config.has_walks()) return open;
-  for (uint64_t part = 0; part < static_cast<uint64_t>(config.parts()); ++part)
-    closed_part(open, part) = random_closed(config, walk_of(config, part), rng);
+  for (uint64_t square = 0; square < static_cast<uint64_t>(config.squares()); ++square)
+    closed_part(open, square) = random_closed(config, walk_of(config, square), rng);
   return open;
 }
 

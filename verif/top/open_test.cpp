@@ -45,8 +45,8 @@ template <class Each>
 void walks(const Config& config, const Open& open, Each&& each) {
   each(kWholeWalk, open.whole);
   if (!config.has_walks()) return;
-  for (uint64_t part = 0; part < static_cast<uint64_t>(config.parts()); ++part)
-    each(walk_of(config, part), closed_part(open, part));
+  for (uint64_t square = 0; square < static_cast<uint64_t>(config.squares()); ++square)
+    each(walk_of(config, square), closed_part(open, square));
 }
 
 bool inside(const Config& config, uint64_t walk, const Closed& closed, int region) {
