@@ -2,8 +2,8 @@
 // eyes: the two cameras of a frame that share one walk (eyes = 2).
 //
 // Paper   None: it renders for headsets, but one picture at a time.
-// Idea    Both eyes have one rotation and one lens and stand on both sides of the frame's position, so a Gaussian has one
-//         depth, one key and one place in the order for both. In view space the first eye sees everything half the
+// Idea    Both eyes have one rotation and one lens and stand on both sides of the frame's position, so a Gaussian has
+//         one depth, one key and one place in the order for both. In view space the first eye sees everything half the
 //         distance further to the right, the second one to the left. What is only to find out whether something can be
 //         seen at all (nodes) is asked for all places between the eyes.
 // Round   Half the distance to nearest in the unit of a chunk's view space, once for both.

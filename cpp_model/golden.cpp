@@ -317,7 +317,9 @@ GoldenWindow golden_window(const GoldenInput& input, uint64_t window_x, uint64_t
   else if (!packed.config.has_watermarks()) dopu_window(packed.config, input.frame, packed, x, y, chunk_of);
   else window.walks = dopu_walks(packed.config, input.frame, packed, x, y);
   for (const uint64_t walk : window.walks) dopu_nearest(packed.config, input.frame, packed, x, y, walk, chunk_of);
-  const auto turn = [&](const GoldenSplat& one) { return window.in_parts() ? part_square(packed.config, one.splat.part) : 0; };
+  const auto turn = [&](const GoldenSplat& one) {
+    return window.in_parts() ? part_square(packed.config, one.splat.part) : 0;
+  };
   const int octave = su_octave(packed.config, input.frame);
   for (GoldenLayer& layer : window.layers) {
     std::sort(layer.splats.begin(), layer.splats.end(), [&](const GoldenSplat& a, const GoldenSplat& b) {

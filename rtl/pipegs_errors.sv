@@ -41,7 +41,7 @@ module pipegs_errors #(
   localparam int unsigned Shift   = $clog2(pipegs_pkg::Window);
   localparam int unsigned SideW   = WindowW + Shift + 1;  // pixels
   localparam int unsigned NumberW = 2 * WindowW + 1;
-  localparam int unsigned LinesW  = $clog2(pipegs_pkg::RegionLines * pipegs_pkg::Squares * pipegs_pkg::MaskW);  // a window
+  localparam int unsigned LinesW  = $clog2(pipegs_pkg::RegionLines * pipegs_pkg::Squares * pipegs_pkg::MaskW);
   localparam int unsigned TilesW  = NumberW + LinesW;
   localparam int unsigned RowsW   = SizeW + StrideW + 1;
   localparam int unsigned NeedW   = TilesW > RowsW ? TilesW : RowsW;

@@ -23,7 +23,8 @@ struct PuPart {
   uint64_t part = 0;
 };
 
-// Row by row those of the walk, in an eye's picture; none for a Gaussian whose box touches none. With one part the Gaussian as it is.
+// Row by row those of the walk, in an eye's picture; none for a Gaussian whose box touches none. With one square the
+// Gaussian as it is.
 inline std::vector<PuPart> pu_parts(const Config& c, const Conic& conic, uint64_t walk = kWholeWalk, uint64_t eye = 0) {
   if (c.squares() == 1) return {{conic, eye}};
   const int side = c.part_side(), to_mean = clog2(side) + c.mean_f;

@@ -10,7 +10,8 @@
 //         for two.
 // Stream  visible from each cull; visible to each PU, one record for all with one valid each. Room is no ready: it may
 //         not wait for valid, and a PU that cannot tell says yes.
-// Pace    One Gaussian per cycle (with a single PU every second one), latency one. A second eye's view comes a cycle later.
+// Pace    One Gaussian per cycle (with a single PU every second one), latency one. A second eye's view comes a cycle
+//         later.
 // Model   Any dealing is right: the test checks that each Gaussian arrives once, in its layer.
 
 module pu_deal #(

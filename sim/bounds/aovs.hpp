@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // aovs: what the AOVs of a pixel may be, where alphas, weights and depths are known to lie in intervals.
 //
-// Idea    blended    a Gaussian counts for certain where no alpha of its interval is 0 and no machine has stopped before
+// Idea    blended    a Gaussian counts for certain where no alpha of its interval is 0 and no machine has stopped
+//                    before
 //         expected   the sum of weight * depth, ends of the intervals and the rounding of each product apart
 //         median     the depth of one of the Gaussians with which T may fall below one half; none where none must
 //         index      one of the Gaussians that may weigh most: not below what another one weighs for certain

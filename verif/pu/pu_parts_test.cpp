@@ -45,7 +45,7 @@ struct PartsRun {
     }
     payloads.push_back(random_record<Payload>(config, bench.rng));
     payloads.back().walk = walk;
-    for (const PuPart& one : pu_parts(config, conic, walk)) {
+    for (const PuPart& one : pu_parts(config, conic, walk, payloads.back().eye)) {
       expected.push_back(one.conic);
       expected_parted.push_back({payloads.back(), one.part});
     }

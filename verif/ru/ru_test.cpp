@@ -102,6 +102,7 @@ class RuBench : public Bench<Vpipegs_ru> {
     picture = random_picture(kConfig, frame, rng, raster);
     write_port(dut.picture_i, picture_words(kConfig, picture).data());
     frame.raster.aovs = random_aovs(kConfig, frame, picture, rng);
+    random_eyes(kConfig, picture, rng, frame);
     write_aovs(kConfig, dut, frame, picture);
     other.joined = ru_joined(kConfig, picture);
     write_frame(kConfig, dut, frame);
@@ -453,10 +454,14 @@ TEST(Ru, AFullWindowClosesAllRegions) {
 // Lines of a region, or quads of it that the first group blends.
 const int kLinesPerRegion = kConfig.quads ? 4 : 1;
 
+const uint64_t kAllEyes = kConfig.eyes > 1 ? 3 : 0;  // the field is absent where there is one
+
 // Splats of one region each, in turn: the lanes never wait.
 TEST(Ru, ARegionTakesFourCycles) {
   RuBench bench({}, 0);
-  bench.start(random_frame(bench.rng, kConfig.window, kConfig.window));
+  Frame frame = random_frame(bench.rng, kConfig.window, kConfig.window);
+  frame.raster.eyes = kAllEyes;
+  bench.start(frame);
   const int slots = kConfig.regions() / kConfig.units, count = 400;
   for (int i = 0; i < count; ++i) bench.send_region(ru_region(kConfig, 0, i % slots), -1);
   bench.send(kWindowEnd);
@@ -470,7 +475,9 @@ TEST(Ru, ARegionTakesFourCycles) {
 // lines, and a line more for each AOV.
 TEST(Ru, WritingAWindowHidesBehindTheNextOne) {
   RuBench bench({.options = {.latency = 20, .bytes_per_cycle = 64}}, 0);
-  bench.start(random_frame(bench.rng, 8ull * kConfig.window, kConfig.window));
+  Frame frame = random_frame(bench.rng, 8ull * kConfig.window, kConfig.window);
+  frame.raster.eyes = kAllEyes;
+  bench.start(frame);
   const int slots = kConfig.regions() / kConfig.units, rounds = 4;
   for (int window = 0; window < 8; ++window) {
     for (int i = 0; i < rounds * slots; ++i) bench.send_region(ru_region(kConfig, 0, i % slots), -1);

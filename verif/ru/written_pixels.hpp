@@ -47,6 +47,13 @@ inline Aovs random_aovs(const Config& config, const Frame& frame, const Picture&
           .lines = lines};
 }
 
+// Of two eyes one or both, unless the frame says which; the second one's picture lies behind all that the first one writes.
+inline void random_eyes(const Config& config, const Picture& picture, std::mt19937_64& rng, Frame& frame) {
+  if (config.eyes == 1) return;
+  if (frame.raster.eyes == 0) frame.raster.eyes = 1 + rng() % 3;
+  frame.raster.eye_lines = std::max<uint64_t>(picture.stride, 1) * (10 * frame.raster.height + 1000000 + rng() % 100);
+}
+
 class WrittenPixels {
  public:
   // What the model writes of a region, in the window of `state`.

@@ -2,8 +2,9 @@
 // pu_front: the part of a PU that fetches the Gaussians of its chunks and culls them.
 //
 // Paper   Fig. 7 (PU), Sec. 4.2.1.
-// Idea    fetch -> decode (Coded) -> eyes (Eyes) -> cull -> reach (TightCull). One Gaussian a cycle goes in, and of those that leave
-//         pu_deal gives each PU one in Pace cycles, so PuFronts of the PUs can feed all of them. Only wiring here.
+// Idea    fetch -> decode (Coded) -> eyes (Eyes) -> cull -> reach (TightCull). One Gaussian a cycle goes in, and of
+//         those that leave pu_deal gives each PU one in Pace cycles, so PuFronts of the PUs can feed all of them. Only
+//         wiring here.
 // Stream  chunk in; visible out, to pu_deal; a port to external memory for geometry.
 // Pace    One Gaussian per cycle.
 // Model   preprocess() in cpp_model/golden.cpp

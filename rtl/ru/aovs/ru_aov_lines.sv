@@ -2,8 +2,8 @@
 // ru_aov_lines: the AOVs of two rows of eight pixels as they lie in external memory, one of them at a time.
 //
 // Paper   None: its RUs give colours.
-// Idea    Each is 32 bits a pixel, as a colour is with PixelW 32, so what places those places these. Of a word only what
-//         is written is kept while it waits (kept_o); from that comes a line.
+// Idea    Each is 32 bits a pixel, as a colour is with PixelW 32, so what places those places these. Of a word only
+//         what is written is kept while it waits (kept_o); from that comes a line.
 //           coverage  T u1.15, above it how many Gaussians
 //           depth, median  u0.32 of the frame's range
 //           index     of the Gaussian that weighs most; all ones: none

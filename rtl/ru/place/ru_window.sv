@@ -37,7 +37,7 @@ module ru_window (
   localparam int unsigned AddressW = pipegs_pkg::AddressW;
   localparam int unsigned StrideW = pipegs_pkg::StrideW;
   localparam int unsigned BeforeW = WindowW + StrideW;
-  localparam int unsigned Tiles = $clog2(pipegs_pkg::Squares * pipegs_pkg::MaskW * pipegs_pkg::RegionLines);  // a window
+  localparam int unsigned Tiles = $clog2(pipegs_pkg::Squares * pipegs_pkg::MaskW * pipegs_pkg::RegionLines);
 
   // Pixels of a window that starts at window `at` in an image of `size` pixels: 0 .. Window.
   function automatic logic [Shift:0] span(input logic [pipegs_pkg::SizeW-1:0] size, input logic [WindowW-1:0] at);

@@ -50,7 +50,8 @@ Background PictureArguments::color() const {
 Rgb8 PictureArguments::picture(const Simulation& simulation, const SimulateOptions& options) const {
   if (is_black()) return to_rgb8(picture_of(simulation, options), glm::dvec3(0));
   const Image& image = simulation.golden.image;
-  const std::vector<uint64_t>& pixels = simulation.written.pixels.empty() ? simulation.golden.pixels : simulation.written.pixels;
+  const std::vector<uint64_t>& pixels =
+      simulation.written.pixels.empty() ? simulation.golden.pixels : simulation.written.pixels;
   return over_background(pixels, image.width, asked_pixels(image.width, image.height, options), color());
 }
 

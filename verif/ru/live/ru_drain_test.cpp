@@ -40,6 +40,8 @@ class Around : public Endpoint {
     bench.dut.stride_i = static_cast<SData>(picture_.stride);
     frame_.raster.aovs = random_aovs(kConfig, frame_, picture_, bench.rng);
     write_aovs(kConfig, bench.dut, frame_, picture_);
+    random_eyes(kConfig, picture_, bench.rng, frame_);
+    bench.dut.eye_lines_i = frame_.raster.eye_lines;
     bench.add(*this);
   }
 
