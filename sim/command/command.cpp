@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "scenes/cameras/eye_pair.hpp"
 #include "scenes/check/scene_check.hpp"
 #include "scenes/check/view_check.hpp"
 #include "scenes/formats/axes.hpp"
@@ -108,15 +109,25 @@ void ViewArguments::add(CLI::App& app, DesignPoints which) {
       .shows_default();
   add_read(
       app, "--stereo",
-      "two pictures, of eyes that stand so far apart (scene units), the camera between them, by one walk of the scene "
-      "(machines with living quads and pixels of 32 bits)",
-      "BASELINE", [this](const std::string& text) { stereo = parse_real(text); },
-      [this] { return stereo ? fmt::format("{}", *stereo) : std::string(); });
+      "two pictures by one walk of the scene, of eyes that stand so far apart (scene units), the camera between them; "
+      "or, as LEFT:RIGHT, of two parallel cameras (machines with living quads and pixels of 32 bits)",
+      "BASELINE", [this](const std::string& text) { read_stereo(text); },
+      [this] {
+        if (eye_views) return fmt::format("{}:{}", (*eye_views)[0], (*eye_views)[1]);
+        return stereo ? fmt::format("{}", *stereo) : std::string();
+      });
   add_names(app, "--aovs", aovs,
             fmt::format("what frames write of their pixels beside colours, of machines with living quads and pixels of "
                         "32 bits: {}, or all",
                         fmt::join(kAovNames, ", ")));
   add_real(app, "--near", near_plane, "near plane, scene units", kPositive).shows_default();
+}
+
+void ViewArguments::read_stereo(const std::string& text) {
+  const size_t colon = text.find(':');
+  stereo.reset(), eye_views.reset();
+  if (colon == std::string::npos) stereo = parse_real(text);
+  else eye_views = {parse_integer<int>(text.substr(0, colon), 0), parse_integer<int>(text.substr(colon + 1), 0)};
 }
 
 SimulateOptions ViewArguments::on(const DesignPoint& other) const {
@@ -174,7 +185,8 @@ SimulateOptions ViewArguments::one_of_several() const {
   options.near_plane = near_plane;
   options.rest = rest;
   options.lod_pixels = lod_pixels;
-  if (stereo) options.config.eyes = 2, options.half_eye = {*stereo / 2, 0};
+  if (stereo || eye_views) options.config.eyes = 2;
+  if (stereo) options.half_eye = {*stereo / 2, 0};
   options.aovs = wanted_aovs();
   const auto build = [&](int Config::*key, Aov aov) {
     if ((options.aovs >> static_cast<int>(aov) & 1) != 0) options.config.*key = 1;
@@ -245,11 +257,19 @@ LoadedView load_view(const ViewArguments& arguments) {
   SceneFormat format;
   loaded.scene = arguments.scene.load(format);
   cameras = arguments.cameras.views(given, loaded.scene, arguments.scene.file.empty(), format.origin);
-  if (arguments.view < 0 || arguments.view >= static_cast<int>(cameras.size())) {
-    throw ConfigError(
-        fmt::format("--view: found {}, expected 0 to {}", arguments.view, static_cast<int>(cameras.size()) - 1));
+  const auto camera = [&](const char* option, int number) -> const Camera& {
+    const int count = static_cast<int>(cameras.size());
+    if (number >= count) throw ConfigError(fmt::format("{}: found {}, expected 0 to {}", option, number, count - 1));
+    return cameras[static_cast<size_t>(number)];
+  };
+  loaded.camera = camera("--view", arguments.view);
+  if (const auto& eyes = arguments.eye_views) {
+    if (arguments.view != 0)
+      throw ConfigError(fmt::format("--view: found {}, expected none beside --stereo with two", arguments.view));
+    const EyePair pair = eye_pair(camera("--stereo", (*eyes)[0]), camera("--stereo", (*eyes)[1]));
+    loaded.camera = pair.middle;
+    loaded.half_eye = pair.half;
   }
-  loaded.camera = cameras[arguments.view];
   loaded.told = std::make_shared<Told>(arguments.scene);
   loaded.told->tell(format.findings);
   loaded.told->tell(of_cameras);
@@ -264,6 +284,7 @@ std::string head_of(const LoadedView& loaded, const MemoryArguments& memory) {
 
 void follow_scene(const LoadedView& loaded, SimulateOptions& options) {
   if (loaded.scene.antialiased) options.config.antialias = 1;
+  if (loaded.half_eye) options.half_eye = *loaded.half_eye;
   options.found = [told = loaded.told](const Findings& findings) { told->tell_frame(findings); };
 }
 

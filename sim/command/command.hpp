@@ -77,6 +77,7 @@ struct ViewArguments : MachineArguments {
   double rest = 0;                    // transmittance, SimulateOptions::rest
   double lod_pixels = 0;              // SimulateOptions::lod_pixels
   std::optional<double> stereo = {};  // way from the left eye to the right one, scene units
+  std::optional<std::array<int, 2>> eye_views = {};  // instead of it and of `view`: cameras that are the eyes
   std::vector<std::string> aovs;      // names of those that frames write, or all
 
   void add(CLI::App& app, DesignPoints which = DesignPoints::kOne);
@@ -93,6 +94,7 @@ struct ViewArguments : MachineArguments {
   std::vector<SimulateOptions> paper_and_own() const;
 
  private:
+  void read_stereo(const std::string& text);
   SimulateOptions on(const DesignPoint& design_point) const;
   uint64_t wanted_aovs() const;  // SimulateOptions::aovs
 };
@@ -111,13 +113,15 @@ struct LoadedView {
   Scene scene;
   Camera camera;
   std::vector<Camera> cameras;  // all of the file or the framing
+  std::optional<std::array<double, 2>> half_eye = {};  // of eyes that are two cameras: SimulateOptions::half_eye
   std::shared_ptr<Told> told;
 };
 LoadedView load_view(const ViewArguments& arguments);
 // Scene, view and memory, as the first line of what a command prints.
 std::string head_of(const LoadedView& loaded, const MemoryArguments& memory);
 
-// Switches on what the scene cannot do without: the compensation of an antialiased one. What is odd in frames is told.
+// Switches on what the scene cannot do without: the compensation of an antialiased one. Places eyes that are cameras.
+// What is odd in frames is told.
 void follow_scene(const LoadedView& loaded, SimulateOptions& options);
 
 // Throws ConfigError when the machine shows no streams, before anything is computed for those who look at them.

@@ -322,6 +322,7 @@ void SequenceArguments::check(const CLI::App& command, const std::string& out) c
 
 int run_sequence(const ViewArguments& view, const SequenceArguments& sequence, const PictureArguments& picture,
                  const SimulateOptions& options, const SequenceRunArguments& run) {
+  if (view.eye_views) throw ConfigError("--stereo: found two views, expected the way between the eyes of a sequence");
   const LoadedView loaded = load_view(view);
   SimulateOptions simulated = options;
   follow_scene(loaded, simulated);
