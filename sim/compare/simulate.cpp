@@ -135,6 +135,19 @@ std::vector<T> rows_beside(const std::vector<T>& left, const std::vector<T>& rig
   return both;
 }
 
+// Two eyes' pictures as one.
+Image beside(Image left, const Image& right) {
+  const int width = left.width;
+  left.rgb = rows_beside(left.rgb, right.rgb, width);
+  left.transmittance = rows_beside(left.transmittance, right.transmittance, width);
+  left.depth = rows_beside(left.depth, right.depth, width);
+  left.blended = rows_beside(left.blended, right.blended, width);
+  left.median = rows_beside(left.median, right.median, width);
+  left.index = rows_beside(left.index, right.index, width);
+  left.width += right.width;
+  return left;
+}
+
 }  // namespace
 
 Camera eye_camera(const Camera& camera, const SimulateOptions& options, int eye) {
@@ -147,16 +160,14 @@ Camera eye_camera(const Camera& camera, const SimulateOptions& options, int eye)
 Image picture_of(const Simulation& simulation, const SimulateOptions& options) {
   Image image = eye_picture(simulation, options, simulation.golden, simulation.written);
   if (!simulation.golden.second) return image;
-  const Image second = eye_picture(simulation, options, *simulation.golden.second, simulation.second_written);
-  const int width = image.width;
-  image.rgb = rows_beside(image.rgb, second.rgb, width);
-  image.transmittance = rows_beside(image.transmittance, second.transmittance, width);
-  image.depth = rows_beside(image.depth, second.depth, width);
-  image.blended = rows_beside(image.blended, second.blended, width);
-  image.median = rows_beside(image.median, second.median, width);
-  image.index = rows_beside(image.index, second.index, width);
-  image.width *= 2;
-  return image;
+  return beside(std::move(image),
+                eye_picture(simulation, options, *simulation.golden.second, simulation.second_written));
+}
+
+Image golden_picture(const Simulation& simulation, const SimulateOptions& options) {
+  Image image = crop_window(simulation.golden.image, options);
+  if (!simulation.golden.second) return image;
+  return beside(std::move(image), crop_window(simulation.golden.second->image, options));
 }
 
 PackedScene pack_views(const Scene& scene, const std::vector<Camera>& cameras, const SimulateOptions& options) {
@@ -238,8 +249,9 @@ Image simulate_float(const char* stage, const Scene& scene, const Camera& camera
     if (interrupted()) throw std::runtime_error("interrupted");
     progress.update(share);
   };
-  const bool eyes = options.config.eyes > 1;
-  return render_truth(scene, eyes ? eye_camera(camera, options, (options.eyes & 1) != 0 ? 0 : 1) : camera, truth);
+  if (options.config.eyes == 1) return render_truth(scene, camera, truth);
+  const auto eye = [&](int number) { return render_truth(scene, eye_camera(camera, options, number), truth); };
+  return options.eyes == 3 ? beside(eye(0), eye(1)) : eye(options.eyes == 1 ? 0 : 1);
 }
 
 Image shown(Image image) {
@@ -264,7 +276,7 @@ void simulate_truth(const Scene& scene, const Camera& camera, const SimulateOpti
   result.wall_truth = watch.seconds();
   result.cpu_truth = process_seconds() - before;
 
-  const Image golden = crop_window(result.golden.image, options);  // the truths are clipped already
+  const Image golden = golden_picture(result, options);  // the truths are clipped already
   result.psnr_numeric = psnr(golden, result.truth_order);
   result.psnr_order = psnr(result.truth_order, result.truth_exact);
   result.psnr_total = psnr(golden, result.truth_inria);

@@ -90,8 +90,8 @@ void simulate_golden(const SimulateOptions& options, Simulation& result, const G
 void simulate_pack(const Scene& scene, const Camera& camera, const SimulateOptions& options, Simulation& result);
 // The same, and runs the golden model.
 void simulate_golden(const Scene& scene, const Camera& camera, const SimulateOptions& options, Simulation& result);
-// The float64 render of the part that was asked for, in this order of Gaussians or by depth; `stage` names it on the
-// terminal. Throws std::runtime_error when interrupted.
+// The float64 render of the part that was asked for, of two eyes side by side, in this order of Gaussians or by depth;
+// `stage` names it on the terminal. Throws std::runtime_error when interrupted.
 Image simulate_float(const char* stage, const Scene& scene, const Camera& camera, const SimulateOptions& options,
                      Semantics semantics, const std::vector<uint32_t>* rank = nullptr);
 // What a screen shows of a picture: channels from 0 to 1, as psnr takes them. A 10-bit channel ends at 1, float64 does
@@ -143,8 +143,9 @@ Image crop_window(const Image& image, const SimulateOptions& options);
 // The camera of an eye of such a machine; that of the frame stands between them.
 Camera eye_camera(const Camera& camera, const SimulateOptions& options, int eye);
 
-// That part of the picture, of two eyes side by side: colours, and T where memory holds it, are what the RTL has written where it ran; all else
-// is the golden model's.
+// That part of the picture, of two eyes side by side: the golden model's, and colours, T and AOVs as the RTL has written
+// them where it ran and memory holds them.
+Image golden_picture(const Simulation& simulation, const SimulateOptions& options);
 Image picture_of(const Simulation& simulation, const SimulateOptions& options);
 
 }  // namespace pipegs

@@ -36,6 +36,9 @@ void PictureArguments::apply(const ViewArguments& view, bool machine, SimulateOp
   if (is_black() || !machine) return;
   if (options.raster)
     throw ConfigError("--background: found --picture raster, whose pixels hold no T, expected windows");
+  if (options.config.eyes > 1 || options.config.has_aovs())
+    throw ConfigError(
+        "--background: found a machine of two eyes or with AOVs, whose pixels hold no T, expected neither");
   if (options.config.pixel_w == 32 && is_set(view, "pixel_w"))
     throw ConfigError("--background: found pixel_w=32, whose pixels hold no T, expected 64");
   options.config.pixel_w = 64;

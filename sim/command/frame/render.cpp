@@ -80,7 +80,7 @@ class Model {
       simulate_golden(options_, simulation);
     }
     if (arguments_.model == "golden")
-      return {crop_window(simulation.golden.image, options_), arguments_.picture.picture(simulation, options_)};
+      return {golden_picture(simulation, options_), arguments_.picture.picture(simulation, options_)};
     TruthOptions truth;
     truth.semantics = arguments_.semantics == "inria"    ? Semantics::kInria
                       : arguments_.semantics == "gsplat" ? Semantics::kGsplat

@@ -113,7 +113,7 @@ class WhatIf {
     Simulation& simulation = drawn->simulation;
     simulate_pack(loaded_.scene, loaded_.camera, machine.options, simulation);
     simulate_golden(machine.options, simulation, {.progress = [&](double share) { at(kGoldenShare * share); }});
-    drawn->picture = crop_window(simulation.golden.image, machine.options);
+    drawn->picture = golden_picture(simulation, machine.options);
     at(kGoldenShare);
     drawn->trace = timing_trace(simulation.input);
     return drawn;

@@ -39,7 +39,10 @@ View::View(const Scene& scene, const Camera& camera, const std::vector<Camera>& 
       cameras_(cameras),
       options_(options),
       measured_(measured),
-      engine_(model_engine(scene, camera, options)) {}
+      engine_(model_engine(scene, camera, options)) {
+  if (options.config.eyes > 1)
+    throw ConfigError("--stereo: found two eyes, expected one: studies of accuracy look at one picture");
+}
 
 Camera View::camera(const Less& less) const { return less.scale < 1 ? scaled_camera(camera_, less.scale) : camera_; }
 

@@ -37,6 +37,18 @@ TEST_F(StereoCli, TwoCamerasAreTheEyesOfTheOneBetween) {
   EXPECT_EQ(side("way/frame.png", 22), 50);
 }
 
+// Each eye is held against its own truth: a picture of the other one would be far from it.
+TEST_F(StereoCli, ErrorsAreThoseOfBothPictures) {
+  const auto total = [&](const std::string& arguments, const std::string& out) {
+    EXPECT_EQ(sim(arguments, out).code, 0);
+    return nlohmann::json::parse(text(out + "/report.json"))["psnr_total_db"].get<double>();
+  };
+  const double left = total("--view 1", "left"), right = total("--view 2", "right"),
+               pair = total("--stereo 1:2", "pair");
+  EXPECT_GT(pair, std::min(left, right) - 1);
+  EXPECT_LT(pair, std::max(left, right) + 1);
+}
+
 TEST_F(StereoCli, WhatIsNoPairIsRefused) {
   const auto refused = [&](const std::string& arguments, const std::string& words) {
     SCOPED_TRACE(arguments);
@@ -46,6 +58,7 @@ TEST_F(StereoCli, WhatIsNoPairIsRefused) {
   refused("--stereo 1:4", "--stereo: found 4, expected 0 to 3");
   refused("--stereo 1:2 --view 1", "--view: found 1, expected none beside --stereo with two");
   refused("--stereo 1:2 --views all", "--stereo: found two views, expected the way between the eyes of a sequence");
+  refused("--stereo 0.06 --background 9,9,9", "--background: found a machine of two eyes");
   refused("--stereo 1:", "--stereo: found ''");
   refused("--stereo wide", "--stereo: found 'wide'");
   refused("--stereo 0.06 --design late", "eyes = 2 needs quads = 1");
