@@ -43,19 +43,33 @@ PixelMap error_map(const std::string& name, const std::string& title, const std:
           .steps = 6};
 }
 
-void add_truth_maps(HtmlDocument& page, const Simulation& simulation, const Image& golden) {
-  const PixelMap numeric = error_map("numeric", "numeric error",
-                                     "Machine against float64 in the machine's own order: what fixed point costs.",
-                                     golden, simulation.truth_order);
+// Float64 of the eye that the page looks at.
+struct Truths {
+  Image order, exact, inria;
+};
+
+Truths truths_of(const Simulation& simulation, int width) {
+  const auto eye = [&](const Image& both) {
+    SimulateOptions first;
+    first.crop = PixelRect{0, 0, width, both.height};
+    return both.width > width ? crop_window(both, first) : both;
+  };
+  return {eye(simulation.truth_order), eye(simulation.truth_exact), eye(simulation.truth_inria)};
+}
+
+void add_truth_maps(HtmlDocument& page, const Truths& truths, const Image& golden) {
+  const PixelMap numeric =
+      error_map("numeric", "numeric error",
+                "Machine against float64 in the machine's own order: what fixed point costs.", golden, truths.order);
   add_map(page, numeric);
   add_map(
       page,
       error_map("order", "order error",
                 "Float64 in the machine's order against float64 in exact order: layers, or depths that round to one.",
-                simulation.truth_order, simulation.truth_exact));
+                truths.order, truths.exact));
   const PixelMap total =
       error_map("total", "total error", "Machine against INRIA's rules in float64: all differences together.", golden,
-                simulation.truth_inria);
+                truths.inria);
   add_map(page, total, &numeric);
 }
 
@@ -216,14 +230,19 @@ HtmlDocument frame_document(const FramePage& given, const Simulation& simulation
                           {"columns", frame.raster.windows.last_x - frame.raster.windows.first_x + 1},
                           {"rows", frame.raster.windows.last_y - frame.raster.windows.first_y + 1}};
   page.data["maps"] = Json::array();
-  add_picture(page, "machine", "machine (RTL, bit for bit)", given.picture);
-  if (!given.report["ran"]["rtl"].get<bool>()) page.data["pictures"][0]["title"] = "machine (golden model)";
+  // Of two eyes the page looks at the first one; it shows what the second one sees.
+  const bool pair = given.picture.width > golden.width;
+  const Rgb8 picture = pair ? cropped(given.picture, {0, 0, golden.width, golden.height}) : given.picture;
+  const char* source = given.report["ran"]["rtl"].get<bool>() ? "RTL, bit for bit" : "golden model";
+  add_picture(page, "machine", fmt::format("machine ({}{})", pair ? "left eye, " : "", source), picture);
+  if (pair)
+    add_picture(page, "second", "right eye",
+                cropped(given.picture, {golden.width, 0, given.picture.width, golden.height}));
   const bool truth = simulation.truth_exact.width > 0;
-  if (truth)
-    add_difference(page, "exact", "float64, exact order", to_rgb8(simulation.truth_exact, glm::dvec3(0)),
-                   given.picture);
+  const Truths truths = truths_of(simulation, golden.width);
+  if (truth) add_difference(page, "exact", "float64, exact order", to_rgb8(truths.exact, glm::dvec3(0)), picture);
   if (given.against) add_picture(page, "against", given.against_name, *given.against);
-  if (truth) add_truth_maps(page, simulation, golden);
+  if (truth) add_truth_maps(page, truths, golden);
   add_golden_maps(page, simulation, golden, options);
   add_aov_maps(page, simulation, golden, options);
   if (given.record == nullptr) return page;
