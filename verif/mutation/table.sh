@@ -423,6 +423,26 @@ mutant ru_drain "AOVs are written that nobody wants" "s/wanted_aovs_i & (\(turn_
 mutant ru_drain "AOVs are written over the colours" 's/place \+ ahead/place/' ru_drain_aovs
 mutant pipegs_errors "AOVs that have no room are written" "s/ && raster_i.aovs.wanted != '0 && .*;/ \&\& 1'b0;/" errors_aovs
 
+# --- two eyes: in the modules that know of them -------------------------------------------------------------------------
+group eyes "Two eyes in one walk (\`eyes\`)"
+mutant pu_eyes "the second eye's view is shown of ends, too" 's/(last            = )!data \|\| /\1/' pu_eyes
+mutant pu_eyes "the right eye alone is shown as the left one" "s/ \|\| wanted_i == 2'b10\);/);/" pu_eyes
+mutant pu_cull "half the way between the eyes is cut" "s/\(twice \+ \\\$signed\(\(HalfW \+ 1\)'\(1\)\)\) >>> 1/twice >>> 1/" \
+       pu_cull_eyes
+mutant pu_cull "both eyes stand in one place" 's/eye \? -rounded : rounded/rounded/' pu_cull_eyes
+mutant pu_cull "the eyes are as far apart down as they are to the right" 's/shift\(half_y_i/shift(half_x_i/' pu_cull_eyes
+mutant dopu_test "boxes do not reach to the eyes on the right" 's/(delta \+ .*node0.half_exp\)) \+ reach/\1/' dopu_test_eyes
+mutant dopu_origin "the unit of view space leaves no room for the eyes" "s/(own > eyes \? own : eyes\)) \+ 1'b1/\1/" \
+       dopu_nearest_eyes
+mutant pu_deal "the other eye's view goes to any PU" 's/paired \? last_q : in_turn/in_turn/' pu_deal_eyes
+mutant pu_deal "what the other fronts have comes between" 's/paired \? second : data/data/' pu_deal_eyes
+mutant pu_color_fetch "a line is kept over an end" 's/(else if \(take\) asked_q <= )ask/\1asked_q || ask/' pu_color_eyes
+mutant pu_color_fetch "every job has the line of the one before" 's/ && number == number_q//' pu_color_eyes
+mutant pu_color_sum "the line of the job before is not kept" 's/again \? kept_q : line_i/line_i/' pu_color_eyes
+mutant pu_parts "both eyes draw the left picture" "s/(PartW-1\] = )payload.eye/\11'b0/" pu_parts_eyes
+mutant ru_drain "the right picture lies over the left one" 's/line_i \+ eye_lines_i/line_i/' ru_drain_eyes
+mutant ru_live "an eye that nobody wants is drawn" 's/unseen_i\[/1'"'"'b0 \& unseen_i[/' ru_eyes_small
+
 # --- rtl/buf ----------------------------------------------------------------------------------------------------------
 group buf "Buffers"
 mutant pipegs_first_line "the highest one's line" 's/i = Ports; i > 0; i -= 1/i = 1; i <= Ports; i += 1/'
