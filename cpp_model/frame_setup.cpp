@@ -175,11 +175,15 @@ pipegs_job frame_job(const Config& config, const PackedScene& scene, const Camer
   return job;
 }
 
+std::array<pipegs_number, 2> driver_half(const std::array<double, 2>& half) {
+  return {number(half[0]), number(half[1])};
+}
+
 void frame_eyes(const Config& config, const PackedScene& scene, const std::array<double, 2>& half, Frame& frame) {
   pipegs_job job = frame_job(config, frame, Areas{});
   const pipegs_scene packed = driver_scene(scene);
-  const pipegs_number halves[2] = {number(half[0]), number(half[1])};
-  if (pipegs_setup_eyes(&packed.packed_for, &packed, halves, &job) != PIPEGS_SETUP_OK)
+  const std::array<pipegs_number, 2> halves = driver_half(half);
+  if (pipegs_setup_eyes(&packed.packed_for, &packed, halves.data(), &job) != PIPEGS_SETUP_OK)
     throw FrameError(fmt::format("half the way between the eyes is {:g}, {:g}, its magnitude must be below {:g}",
                                  half[0], half[1], std::ldexp(1.0, config.half_eye_w() - 1 + scene.scene_exponent)));
   frame = job_frame(config, job);

@@ -49,6 +49,7 @@ pipegs_job frame_job(const Config& config, const PackedScene& scene, const Camer
 pipegs_configuration driver_configuration(const Config& config);  // as the machine's registers say it
 pipegs_scene driver_scene(const PackedScene& scene);
 pipegs_camera driver_camera(const Camera& camera, double near_plane);
+std::array<pipegs_number, 2> driver_half(const std::array<double, 2>& half);  // as frame_eyes takes it
 
 // lens.spread_x or _y for a focal length; 0 without TightCull.
 inline uint64_t lens_spread(const Config& config, uint64_t focal) {

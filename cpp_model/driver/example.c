@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0
- * example.c: a program that renders one frame. `pipegs pack` wrote image.bin, which lies in the machine's memory, and
- * scene.h, which is compiled with it; pipegs_platform.h says what the system supplies. Returns 0 when the pixels are in
- * memory at the address that pipegs_place gave them. */
+ * example.c: a program that renders one frame, of two eyes and with its depths on a machine that makes them. `pipegs
+ * pack` (for two eyes with --stereo) wrote image.bin, which lies in the machine's memory, and scene.h, which is compiled
+ * with it; pipegs_platform.h says what the system supplies. Returns 0 when the pixels are in memory at the address that
+ * pipegs_place gave them. */
 #include "pipegs_frame.h"
 #include "pipegs_platform.h"
 #include "scene.h"
@@ -23,6 +24,7 @@ static int fail_frame(struct pipegs_device *device) {
 
 int main(void) {
   static const struct pipegs_bus bus = {pipegs_platform_read, pipegs_platform_write, pipegs_platform_wait, 0};
+  static const struct pipegs_number half[2] = PIPEGS_PACKED_HALF;
   static struct pipegs_device device;
   static struct pipegs_job job; /* the picture: by windows, no raster order */
   struct pipegs_memory memory;
@@ -34,6 +36,11 @@ int main(void) {
       PIPEGS_SETUP_OK) {
     return fail("this machine cannot render this scene from this camera");
   }
+  if (device.config.eyes > 1 &&
+      pipegs_setup_eyes(&device.config, &pipegs_packed_scene, half, &job) != PIPEGS_SETUP_OK) {
+    return fail("this machine cannot see this scene with these eyes");
+  }
+  job.frame.raster_aovs_wanted = device.config.aovs & PIPEGS_AOV_DEPTH;
   pipegs_enable(&device, PIPEGS_IRQ_ENABLE_FRAME_DONE | PIPEGS_IRQ_ENABLE_QUEUE_FREE | PIPEGS_IRQ_ENABLE_ERROR);
   if (pipegs_queue(&device, &job, PIPEGS_NO_LIMIT, &ticket) != PIPEGS_OK) return fail_frame(&device);
   if (pipegs_wait(&device, ticket, PIPEGS_NO_LIMIT) != PIPEGS_OK) return fail_frame(&device);

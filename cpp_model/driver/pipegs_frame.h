@@ -114,6 +114,13 @@ uint64_t pipegs_overflow_size(const struct pipegs_configuration *config, uint64_
 struct pipegs_memory pipegs_place(const struct pipegs_configuration *config, const struct pipegs_scene *scene,
                                   const struct pipegs_camera *camera, uint64_t image);
 
+/* What a frame writes beside colours: bits of frame.raster_aovs_wanted, and of config.aovs where the machine has it. They
+ * lie in this order, each with frame.raster_aovs_lines bytes. */
+#define PIPEGS_AOV_COVERAGE 1u
+#define PIPEGS_AOV_DEPTH 2u
+#define PIPEGS_AOV_MEDIAN 4u
+#define PIPEGS_AOV_INDEX 8u
+
 /* Fills frame and areas of `job`; the picture in raster order is the caller's. `windows` 0: all. No AOV is wanted: a
  * caller sets bits of frame.raster_aovs_wanted. Where they lie and the range of their depths, which reaches behind the
  * farthest corner of the scene's grid, are there; in raster order with a stride larger than it must be, frame.

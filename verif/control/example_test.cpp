@@ -6,10 +6,12 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 
 #include "cpp_model/frame_setup.hpp"
 #include "scenes/generate/generate.hpp"
 #include "sim/compare/simulate.hpp"
+#include "sim/design/config_file.hpp"
 #include "sim/design/design_point.hpp"
 #include "cpp_model/driver/pipegs_platform.h"
 #include "verif/control/driver_bus.hpp"
@@ -23,8 +25,18 @@ constexpr uint64_t kImage = 0x40000;
 DriverBus* machine = nullptr;
 std::string said;
 
+// The machine that the scene was packed for, and half the way between its eyes.
+SimulateOptions packed_for() {
+  SimulateOptions options;
+  options.config = find_design_point(kDefaultDesignPoint).config;
+  std::istringstream settings(PIPEGS_SET);
+  for (std::string setting; settings >> setting;) config_set(options.config, setting);
+  options.half_eye = {PIPEGS_HALF, 0};
+  return options;
+}
+
 struct Example : testing::Test {
-  Config config = find_design_point(kDefaultDesignPoint).config;
+  Config config = packed_for().config;
   DriverBus bus{config, 1};
   void SetUp() override {
     machine = &bus;
@@ -37,11 +49,18 @@ TEST_F(Example, QueuesTheFrameThatTheModelRenders) {
   EXPECT_EQ(said, "the frame is in memory");
   EXPECT_GT(bus.idles, 0);
   ASSERT_EQ(bus.frames.size(), 1u);
-  SimulateOptions options;
-  options.config = config;
+  const SimulateOptions options = packed_for();
   const Camera camera = generated_cameras()[0];
   const PackedScene packed = pack_views(generate_scene(1), {camera}, options);
   pipegs_job job = frame_job(config, packed, camera);
+  const pipegs_scene scene = driver_scene(packed);
+  if (config.eyes > 1) {
+    ASSERT_EQ(pipegs_setup_eyes(&scene.packed_for, &scene, driver_half(options.half_eye).data(), &job),
+              PIPEGS_SETUP_OK);
+    EXPECT_EQ(job.frame.raster_eyes, 3u);
+    EXPECT_GT(job.frame.eyes_half_x, 0);
+  }
+  if (config.has_depths()) job.frame.raster_aovs_wanted = PIPEGS_AOV_DEPTH, job.frame.raster_aovs_base += kImage;
   for (uint64_t* address :
        {&job.frame.tables_cells, &job.frame.tables_groups, &job.frame.tables_chunks, &job.frame.tables_gaussians,
         &job.frame.tables_colors, &job.frame.tables_pixels, &job.frame.tables_overflow}) {
@@ -84,7 +103,7 @@ TEST_F(Example, EndsWhereMemoryIsSilent) {
 
 // Machines with other records than the scene was packed for: of other widths, and with codes in their place.
 TEST(OtherMachine, IsRefused) {
-  Config coded = find_design_point(kDefaultDesignPoint).config;
+  Config coded = packed_for().config;
   coded.record = 48;
   for (const Config& config : {Config{}, coded}) {
     DriverBus bus(config, 1);

@@ -45,7 +45,8 @@ std::string list_of(const Range& range) {
   return text + "}";
 }
 
-std::string scene_header(const pipegs_scene& scene, const pipegs_camera& camera) {
+std::string scene_header(const pipegs_scene& scene, const pipegs_camera& camera,
+                         const std::array<pipegs_number, 2>& half) {
   std::string text =
       "/* SPDX-License-Identifier: CC0-1.0\n"
       " * scene.h: printed by `pipegs pack` with image.bin: what the driver takes of the packed scene and the camera. "
@@ -73,7 +74,11 @@ std::string scene_header(const pipegs_scene& scene, const pipegs_camera& camera)
                       list_of(camera.rotation[1]), list_of(camera.rotation[2]));
   text += fmt::format("  .focal = {},\n  .center = {},\n  .near_plane = {},\n", list_of(camera.focal),
                       list_of(camera.center), text_of(camera.near_plane));
-  return text + fmt::format("  .width = {}u,\n  .height = {}u,\n}};\n\n#endif\n", camera.width, camera.height);
+  text += fmt::format("  .width = {}u,\n  .height = {}u,\n}};\n\n", camera.width, camera.height);
+  return text + fmt::format(
+                    "/* Half the way between two eyes, right and down: for pipegs_setup_eyes. */\n"
+                    "#define PIPEGS_PACKED_HALF {}\n\n#endif\n",
+                    list_of(half));
 }
 
 int pack(const PackArguments& arguments) {
@@ -94,7 +99,8 @@ int pack(const PackArguments& arguments) {
   make_folder_of(arguments.out + "/image.bin");
   write_image(arguments.out + "/image.bin", image);
   write_text(arguments.out + "/scene.h",
-             scene_header(driver_scene(packed), driver_camera(loaded.camera, options.near_plane)));
+             scene_header(driver_scene(packed), driver_camera(loaded.camera, options.near_plane),
+                          driver_half(options.half_eye)));
   fmt::print(
       "{0}/image.bin: {1} bytes, {2} Gaussians; {0}/scene.h: its tables and view {3}\n"
       "memory for image, frame and overflow areas: at most {4} bytes\n",
