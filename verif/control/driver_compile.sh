@@ -13,6 +13,7 @@ cat > "$folder/scene.h" << 'END'
 #include "pipegs_frame.h"
 static const struct pipegs_scene pipegs_packed_scene = {.exponent = 0};
 static const struct pipegs_camera pipegs_packed_camera = {.near_plane = PIPEGS_NEAR_PLANE};
+#define PIPEGS_PACKED_HALF {{1, 0}, {0, 0}}
 END
 for compiler in gcc clang; do
   command -v "$compiler" > /dev/null || { echo "not run: $compiler is not installed"; continue; }
