@@ -153,6 +153,16 @@ module pipegs_ru #(
     .outside_o(outside),
     .line_o(line)
   );
+  logic [pipegs_pkg::Eyes-1:0] unseen;     // eyes whose pictures are not made
+  logic [AddressW-1:0]         eye_lines;  // from the first one's picture to the second one's
+  if (pipegs_pkg::Eyes > 1) begin : gen_eyes
+    assign unseen    = ~raster_i.eyes;
+    assign eye_lines = raster_i.eye_lines;
+  end else begin : gen_one_eye
+    assign unseen    = '0;
+    assign eye_lines = '0;
+  end
+
   assign joined = picture_i.format && Units > 1;
   for (genvar i = 0; i < Regions; i += 1) begin : gen_unwritten
     localparam int unsigned Eye = i / (pipegs_pkg::Squares * pipegs_pkg::MaskW);
@@ -167,15 +177,6 @@ module pipegs_ru #(
     assign rest = '0;
   end
 
-  logic [pipegs_pkg::Eyes-1:0] unseen;  // eyes whose pictures are not made
-  logic [AddressW-1:0]         eye_lines;  // from the first one's picture to the second one's
-  if (pipegs_pkg::Eyes > 1) begin : gen_eyes
-    assign unseen    = ~raster_i.eyes;
-    assign eye_lines = raster_i.eye_lines;
-  end else begin : gen_one_eye
-    assign unseen    = '0;
-    assign eye_lines = '0;
-  end
   logic [pipegs_pkg::ExpW-1:0] range;   // of depths, for AOVs: 2^(range + 1) world units
   logic [Kinds-1:0]            wanted;  // AOVs that the frame writes
   if (pipegs_pkg::HasDepths) begin : gen_range
