@@ -81,12 +81,11 @@ void config_check(const Config& config) {
     throw ConfigError("configuration: quads = 1 needs late = 1 and quadratic = 0");
   }
   if (config.has_aovs() && (!config.quads || config.pixel_w != 32)) {
-    throw ConfigError("configuration: aov_coverage, aov_depth, aov_median and aov_index need quads = 1 and "
-                      "pixel_w = 32");
+    throw ConfigError(
+        "configuration: aov_coverage, aov_depth, aov_median and aov_index need quads = 1 and "
+        "pixel_w = 32");
   }
-  if (config.eyes * config.chunk > 64) {
-    throw ConfigError("configuration: eyes = 2 needs chunk of at most 32");
-  }
+  if (config.eyes * config.chunk > 64) { throw ConfigError("configuration: eyes = 2 needs chunk of at most 32"); }
   if (config.eyes > 1 && (!config.quads || config.pixel_w != 32 || config.order == 1)) {
     throw ConfigError("configuration: eyes = 2 needs quads = 1, pixel_w = 32 and order 0 or 2");
   }

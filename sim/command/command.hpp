@@ -74,11 +74,11 @@ struct ViewArguments : MachineArguments {
   std::vector<std::string> design_points;
   std::optional<uint64_t> walk_most = {};  // where it is given
   double near_plane = 0.2;
-  double rest = 0;                    // transmittance, SimulateOptions::rest
-  double lod_pixels = 0;              // SimulateOptions::lod_pixels
-  std::optional<double> stereo = {};  // way from the left eye to the right one, scene units
+  double rest = 0;                                   // transmittance, SimulateOptions::rest
+  double lod_pixels = 0;                             // SimulateOptions::lod_pixels
+  std::optional<double> stereo = {};                 // way from the left eye to the right one, scene units
   std::optional<std::array<int, 2>> eye_views = {};  // instead of it and of `view`: cameras that are the eyes
-  std::vector<std::string> aovs;      // names of those that frames write, or all
+  std::vector<std::string> aovs;                     // names of those that frames write, or all
 
   void add(CLI::App& app, DesignPoints which = DesignPoints::kOne);
   // ConfigError where a field of a frame is given that no machine has, as all below.
@@ -112,7 +112,7 @@ struct MemoryArguments {
 struct LoadedView {
   Scene scene;
   Camera camera;
-  std::vector<Camera> cameras;  // all of the file or the framing
+  std::vector<Camera> cameras;                         // all of the file or the framing
   std::optional<std::array<double, 2>> half_eye = {};  // of eyes that are two cameras: SimulateOptions::half_eye
   std::shared_ptr<Told> told;
 };

@@ -96,8 +96,8 @@ TEST(Errors, PixelsUpToTheLastOneNeedTheirRoom) {
       bench.step();
       told += bench.dut.error_o;
     }
-    ASSERT_EQ(told, small || outgrown ? 1 : 0) << columns << " columns, need " << need << ", stride " << stride << ", seed "
-                                         << bench.seed;
+    ASSERT_EQ(told, small || outgrown ? 1 : 0)
+        << columns << " columns, need " << need << ", stride " << stride << ", seed " << bench.seed;
     if (told != 0) { ASSERT_EQ(bench.told(0), small ? 1000 + room : raster.aovs.base + raster.aovs.lines); }
     ASSERT_EQ(bench.dut.stop_o, told != 0);
   }

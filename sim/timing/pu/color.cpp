@@ -97,7 +97,7 @@ void Color::rows_end(Machine& m, Cycle now) {
   m.wheel.wake(taker_, now + 1);
 }
 
-bool Color::waiting(Cycle now) const { 
+bool Color::waiting(Cycle now) const {
   return tasks_.valid(now) && tasks_.front().shaded && !tasks_.front().again && !lines_.valid(now);
 }
 
