@@ -2,10 +2,9 @@
 // regions: where the regions of a window lie, and sets of them.
 //
 // Idea    A window of 128 pixels has four squares of 64, so that masks stay 64 bits wide and coefficients keep the
-//         range of 64 pixels; a smaller one is one square. Squares are numbered row by row, and so are the regions of one. A
-//         part is a square in an eye's picture: all of the first eye, then all of the second. A region's number is its
-//         part above its bit in the part's mask.
-// RTL     rtl/ru/place/ru_place.sv (where a region lies); elsewhere bits of the number
+//         range of 64 pixels; a smaller one is one square. Squares are numbered row by row, and so are the regions of
+//         one. A part is a square in an eye's picture: all of the first eye, then all of the second. A region's number
+//         is its part above its bit in the part's mask.
 #pragma once
 
 #include <array>

@@ -311,13 +311,13 @@ package pipegs_pkg;
   localparam int unsigned AovsBuilt      = 0;
   localparam bit HasAovs                 = 1'b0;  // pixels may have AOVs
   localparam bit HasDepths               = 1'b0;  // some of depths
-  // index of a Gaussian on its way to the RUs: for the sort, for the taps and for an AOV; else one bit is left
+  // index of a Gaussian on its way to the RUs: for the sort, the taps and an AOV; else one bit is left
   localparam int unsigned SplatIndexW    = 24;
   // index of a Gaussian behind the sort, for the taps and for an AOV; else one bit is left
   localparam int unsigned ShownIndexW    = 1;
   // depth key behind the sort, for the taps and for AOVs; else one bit is left
   localparam int unsigned ShownDepthW    = 1;
-  localparam int unsigned LinearW        = 0;  // depth in an RU, u0.20 of the frame's range; absent likewise
+  localparam int unsigned LinearW        = 0;  // depth in an RU, u0.20 of the frame's range; or absent
   // red, green and blue of a splat, and its depth for AOVs: what an RU blends
   localparam int unsigned RuColorsW      = 36;
   localparam int unsigned RangeW         = 0;  // exponent of that range; absent likewise

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0
  * example.c: a program that renders one frame, of two eyes and with its depths on a machine that makes them. `pipegs
- * pack` (for two eyes with --stereo) wrote image.bin, which lies in the machine's memory, and scene.h, which is compiled
- * with it; pipegs_platform.h says what the system supplies. Returns 0 when the pixels are in memory at the address that
- * pipegs_place gave them. */
+ * pack` (for two eyes with --stereo) wrote image.bin, which lies in the machine's memory, and scene.h, which is
+ * compiled with it; pipegs_platform.h says what the system supplies. Returns 0 when the pixels are in memory at the
+ * address that pipegs_place gave them. */
 #include "pipegs_frame.h"
 #include "pipegs_platform.h"
 #include "scene.h"

@@ -219,7 +219,9 @@ enum pipegs_setup pipegs_setup_eyes(const struct pipegs_configuration *config, c
   frame->eyes_half_x = x;
   frame->eyes_half_y = y;
   frame->eyes_length = 0;
-  for (larger = (uint64_t)(x < 0 ? -x : x) | (uint64_t)(y < 0 ? -y : y); larger != 0; larger >>= 1) ++frame->eyes_length;
+  for (larger = (uint64_t)(x < 0 ? -x : x) | (uint64_t)(y < 0 ? -y : y); larger != 0; larger >>= 1) {
+    ++frame->eyes_length;
+  }
   frame->eyes_reach_x = frame->eyes_reach_y = frame->eyes_reach_z = 0;
   if (frame->eyes_length != 0) {
     frame->eyes_reach_x = along(config, frame->camera_rotation_w00, x, frame->camera_rotation_w10, y);

@@ -114,8 +114,8 @@ uint64_t pipegs_overflow_size(const struct pipegs_configuration *config, uint64_
 struct pipegs_memory pipegs_place(const struct pipegs_configuration *config, const struct pipegs_scene *scene,
                                   const struct pipegs_camera *camera, uint64_t image);
 
-/* What a frame writes beside colours: bits of frame.raster_aovs_wanted, and of config.aovs where the machine has it. They
- * lie in this order, each with frame.raster_aovs_lines bytes. */
+/* What a frame writes beside colours: bits of frame.raster_aovs_wanted, and of config.aovs where the machine has it.
+ * They lie in this order, each with frame.raster_aovs_lines bytes. */
 #define PIPEGS_AOV_COVERAGE 1u
 #define PIPEGS_AOV_DEPTH 2u
 #define PIPEGS_AOV_MEDIAN 4u
@@ -129,10 +129,11 @@ enum pipegs_setup pipegs_setup_job(const struct pipegs_configuration *config, co
                                    const struct pipegs_camera *camera, const struct pipegs_windows *windows,
                                    const struct pipegs_memory *memory, struct pipegs_job *job);
 
-/* Two eyes (a machine with eyes = 2): the camera stands between them, and the second one `half` further to its right and
- * down (scene units) than the first one. Both have its rotation and lens. Makes `job` write both pictures: that of the
- * second eye lies behind that of the first one by windows, as does each AOV of it; in raster order frame.raster_eye_lines
- * (bytes) is to be set so that both have room. Without it only the first eye's picture is made, that of the camera. */
+/* Two eyes (a machine with eyes = 2): the camera stands between them, and the second one twice `half` further to its
+ * right and down (scene units) than the first one. Both have its rotation and lens. Makes `job` write both pictures:
+ * that of the second eye lies behind that of the first one by windows, as does each AOV of it; in raster order frame.
+ * raster_eye_lines (bytes) is to be set so that both have room. Without it only the first eye's picture is made, that
+ * of the camera. */
 enum pipegs_setup pipegs_setup_eyes(const struct pipegs_configuration *config, const struct pipegs_scene *scene,
                                     const struct pipegs_number half[2], struct pipegs_job *job);
 

@@ -421,9 +421,9 @@ struct pipegs_frame {
   int64_t camera_quaternion_x; /* the same rotation */
   int64_t camera_quaternion_y; /* the same rotation */
   int64_t camera_quaternion_z; /* the same rotation */
-  /* half of the way from the first eye, at position - half, to the second one, along the right axis, world units */
+  /* half of the way from the first eye, at position - half, to the second one, to the right, world units */
   int64_t eyes_half_x;
-  int64_t eyes_half_y; /* along its down axis */
+  int64_t eyes_half_y; /* likewise down */
   uint64_t eyes_length; /* bits of the larger one's magnitude; 0: the eyes are one */
   uint64_t eyes_reach_x; /* of both along a world axis, rounded up */
   uint64_t eyes_reach_y; /* of both along a world axis, rounded up */

@@ -2,8 +2,8 @@
 // eye_pair: two cameras that a walk of the scene serves at once, as the eyes of one camera between them.
 //
 // Idea    Eyes see every Gaussian at one depth: they have one rotation and one lens, and neither stands in front of the
-//         other. Cameras that were measured are never quite that: what a hundredth of a pixel or a ten thousandth of the
-//         way between them does not show is rounded away, with the first one's rotation.
+//         other. Cameras that were measured are never quite that: what a hundredth of a pixel or a ten thousandth of
+//         the way between them does not show is rounded away, with the first one's rotation.
 #pragma once
 
 #include <array>

@@ -143,8 +143,8 @@ Image crop_window(const Image& image, const SimulateOptions& options);
 // The camera of an eye of such a machine; that of the frame stands between them.
 Camera eye_camera(const Camera& camera, const SimulateOptions& options, int eye);
 
-// That part of the picture, of two eyes side by side: the golden model's, and colours, T and AOVs as the RTL has written
-// them where it ran and memory holds them.
+// That part of the picture, of two eyes side by side: the golden model's, and colours, T and AOVs as the RTL has
+// written them where it ran and memory holds them.
 Image golden_picture(const Simulation& simulation, const SimulateOptions& options);
 Image picture_of(const Simulation& simulation, const SimulateOptions& options);
 

@@ -167,7 +167,7 @@ TEST(AovFrame, ChangesNoPixelAndDependsOnNone) {
   for (const auto& words : b.golden.aovs) EXPECT_EQ(words.size(), b.golden.pixels.size());
 }
 
-// A Gaussian twice at the same place: the one with the lower index is in front, and of equal weights the nearest counts.
+// A Gaussian twice at the same place: that with the lower index is in front, and of equal weights the nearest counts.
 TEST(AovFrame, EqualDepthsAreOrderedByIndex) {
   const Scene scene = scene_of({gaussian_at({0, 0, 3}, 0.5f, 0.7), gaussian_at({0, 0, 3}, 0.5f, 0.7)});
   Simulation result;

@@ -418,20 +418,25 @@ mutant ru_quads "the index is that of the quad behind" 's/index_5 = index_5_q/in
 mutant ru_linear "depths are cut" "s/(shifted\)) \+ 1'b1/\1/" ru_regions_aovs
 mutant ru_linear "what lies beyond the range is near" 's/exponent > range_i \|\| //' ru_regions_aovs
 mutant ru_aov_lines "where no Gaussian is, there is one of 24 bits" "s/best == '1/1'b0/" ru_drain_aovs
-mutant ru_aov_lines "the count lies below T" 's/\{(kept\[BlendedW-1:0\]), (kept\[KeptW-1 -: 16\])\}/{\2, \1}/' ru_drain_aovs
+mutant ru_aov_lines "the count lies below T" \
+       's/\{(kept\[BlendedW-1:0\]), (kept\[KeptW-1 -: 16\])\}/{\2, \1}/' ru_drain_aovs
 mutant ru_drain "AOVs are written that nobody wants" "s/wanted_aovs_i & (\(turn_q)/\1/" ru_drain_aovs
 mutant ru_drain "AOVs are written over the colours" 's/place \+ ahead/place/' ru_drain_aovs
-mutant pipegs_errors "AOVs that have no room are written" "s/ && raster_i.aovs.wanted != '0 && .*;/ \&\& 1'b0;/" errors_aovs
+mutant pipegs_errors "AOVs that have no room are written" \
+       "s/ && raster_i.aovs.wanted != '0 && .*;/ \&\& 1'b0;/" errors_aovs
 
-# --- two eyes: in the modules that know of them -------------------------------------------------------------------------
+# --- two eyes: in the modules that know of them -----------------------------------------------------------------------
 group eyes "Two eyes in one walk (\`eyes\`)"
 mutant pu_eyes "the second eye's view is shown of ends, too" 's/(last            = )!data \|\| /\1/' pu_eyes
 mutant pu_eyes "the right eye alone is shown as the left one" "s/ \|\| wanted_i == 2'b10\);/);/" pu_eyes
-mutant pu_cull "half the way between the eyes is cut" "s/\(twice \+ \\\$signed\(\(HalfW \+ 1\)'\(1\)\)\) >>> 1/twice >>> 1/" \
+mutant pu_cull "half the way between the eyes is cut" \
+       "s/\(twice \+ \\\$signed\(\(HalfW \+ 1\)'\(1\)\)\) >>> 1/twice >>> 1/" \
        pu_cull_eyes
 mutant pu_cull "both eyes stand in one place" 's/eye \? -rounded : rounded/rounded/' pu_cull_eyes
-mutant pu_cull "the eyes are as far apart down as they are to the right" 's/shift\(half_y_i/shift(half_x_i/' pu_cull_eyes
-mutant dopu_test "boxes do not reach to the eyes on the right" 's/(delta \+ .*node0.half_exp\)) \+ reach/\1/' dopu_test_eyes
+mutant pu_cull "the eyes are as far apart down as they are to the right" \
+       's/shift\(half_y_i/shift(half_x_i/' pu_cull_eyes
+mutant dopu_test "boxes do not reach to the eyes on the right" \
+       's/(delta \+ .*node0.half_exp\)) \+ reach/\1/' dopu_test_eyes
 mutant dopu_origin "the unit of view space leaves no room for the eyes" "s/(own > eyes \? own : eyes\)) \+ 1'b1/\1/" \
        dopu_nearest_eyes
 mutant pu_deal "the other eye's view goes to any PU" 's/paired \? last_q : in_turn/in_turn/' pu_deal_eyes

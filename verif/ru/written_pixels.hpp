@@ -47,7 +47,7 @@ inline Aovs random_aovs(const Config& config, const Frame& frame, const Picture&
           .lines = lines};
 }
 
-// Of two eyes one or both, unless the frame says which; the second one's picture lies behind all that the first one writes.
+// Of two eyes one or both, unless the frame says which; the second one's picture lies behind all of the first one.
 inline void random_eyes(const Config& config, const Picture& picture, std::mt19937_64& rng, Frame& frame) {
   if (config.eyes == 1) return;
   if (frame.raster.eyes == 0) frame.raster.eyes = 1 + rng() % 3;

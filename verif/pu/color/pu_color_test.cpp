@@ -164,8 +164,8 @@ TEST(PuColor, AsksForOneLinePerGaussianAndForNoneWithoutSh) {
   }
 }
 
-// One line for both views of a Gaussian, but for a machine with one eye: there no Gaussian comes twice. A frame may have
-// another table than the one before it, so what was asked for before an end is asked for again.
+// One line for both views of a Gaussian, but for a machine with one eye: there no Gaussian comes twice. A frame may
+// have another table than the one before it, so what was asked for before an end is asked for again.
 TEST(PuColor, TwoEyesShareALine) {
   if (kConfig.sh_degree == 0) GTEST_SKIP() << "no lines without SH";
   for (uint64_t degree = 1; degree <= 3; ++degree) {
