@@ -442,7 +442,7 @@ mutant dopu_origin "the unit of view space leaves no room for the eyes" "s/(own 
 mutant pu_deal "the other eye's view goes to any PU" 's/paired \? last_q : in_turn/in_turn/' pu_deal_eyes
 mutant pu_deal "what the other fronts have comes between" 's/paired \? second : data/data/' pu_deal_eyes
 mutant pu_color_fetch "a line is kept over an end" 's/(else if \(take\) asked_q <= )ask/\1asked_q || ask/' pu_color_eyes
-mutant pu_color_fetch "every job has the line of the one before" 's/ && number == number_q//' pu_color_eyes
+mutant pu_color_fetch "every job has the line of the one before" 's/ && address == mem_address_q//' pu_color_eyes
 mutant pu_color_sum "the line of the job before is not kept" 's/again \? kept_q : line_i/line_i/' pu_color_eyes
 mutant pu_parts "both eyes draw the left picture" "s/(PartW-1\] = )payload.eye/\11'b0/" pu_parts_eyes
 mutant ru_drain "the right picture lies over the left one" 's/line_i \+ eye_lines_i/line_i/' ru_drain_eyes

@@ -53,7 +53,7 @@ module pu_color_fetch #(
 
   logic                        room, take, ask, again;  // again: the line of the job before
   logic                        mem_valid_q;
-  logic [AddressW-1:0]         mem_address_q, number;  // number: of the line in the table
+  logic [AddressW-1:0]         mem_address_q, number, address;  // number: of the line in the table
   logic                        bad_q;
   logic                        direction_room, line_room;
   logic [CountW-1:0]           task_count, direction_count, line_count;
@@ -90,14 +90,12 @@ module pu_color_fetch #(
   pipegs_pkg::color_task_t queued;
   assign upper = one ? job_i.slot[QuarterW-1] : job_i.slot[0];
   if (pipegs_pkg::Eyes > 1) begin : gen_pairs
-    logic              asked_q, upper_q;  // asked: for the line in number_q
-    logic [AddressW-1:0] number_q;
-    assign again = ask && asked_q && number == number_q && (pipegs_pkg::Coded == 0 || upper == upper_q);
+    logic asked_q;  // for the line in mem_address_q
+    assign again = ask && asked_q && address == mem_address_q && (pipegs_pkg::Coded == 0 || upper == mem_halves_o[1]);
     always_ff @(posedge clk_i or negedge rst_ni) begin
       if (!rst_ni) asked_q <= 1'b0;
       else if (take) asked_q <= ask;
     end
-    always_ff @(posedge clk_i) if (ask) {number_q, upper_q} <= {number, upper};
     always_comb begin
       queued       = head;
       queued.again = again;
@@ -117,7 +115,8 @@ module pu_color_fetch #(
       if (ask && number >= colors_i.lines) bad_q <= 1'b1;
     end
   end
-  always_ff @(posedge clk_i) if (ask) mem_address_q <= colors_i.first + number;
+  assign address = colors_i.first + number;
+  always_ff @(posedge clk_i) if (ask) mem_address_q <= address;
   if (pipegs_pkg::Coded) begin : gen_half
     logic upper_q;
     always_ff @(posedge clk_i) if (ask) upper_q <= upper;
