@@ -20,7 +20,7 @@ namespace pipegs {
 
 class SequenceCheck final : public RtlTaps {
  public:
-  // A frame where it lies in memory, what the golden model makes of it, and its areas. `input` and `golden` outlive this.
+  // A frame where it lies in memory, the golden model's, and its areas. `input` and `golden` outlive this.
   struct Expected {
     const GoldenInput* input;
     const GoldenFrame* golden;
