@@ -229,10 +229,10 @@ bool StreamCheck::closed_before(const Window& window, uint64_t index, uint64_t w
 bool StreamCheck::has_region(const Chunk& chunk, uint64_t slot) const {
   const Frame& frame = input_.frame;
   const Fetched fetched = golden_fetched(chunk, input_.packed->gaussians[slot], slot);
-  for (int eye = 0; eye < config_.eyes; ++eye) {
+  for (const int eye : wanted_eyes(config_, frame)) {
     Gap gap;
     const std::optional<Visible> visible = pu_cull(config_, frame, fetched, nullptr, &gap, {}, nullptr, eye);
-    if (!wants_eye(config_, frame, eye) || !visible) continue;
+    if (!visible) continue;
     if (config_.tight_cull && !pu_reach(config_, frame, *visible, gap)) continue;
     for (const PuPart& one : pu_parts(config_, golden_conic(config_, frame, *visible).conic, chunk.walk)) {
       if (pu_intersect(config_, frame, pu_coeff(config_, frame, one.conic)).mask != 0) return true;
