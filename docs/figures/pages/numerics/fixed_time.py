@@ -20,7 +20,7 @@ def budget(scene):
 
 def walked():
     """The scenes whose walks are measured: the largest one's with class d only."""
-    return [scene for scene in BUDGETS if f"{scene}_held" in data.budgets]
+    return [scene for scene in BUDGETS if all(f"{scene}_{kind}" in data.budgets for kind in ("free", "held"))]
 
 
 def frames(scene, kind):
