@@ -2,6 +2,8 @@
 // config.cpp: see config.hpp.
 #include "cpp_model/config.hpp"
 
+#include <tuple>
+
 #include "scenes/text/number.hpp"
 
 namespace pipegs {
@@ -51,7 +53,7 @@ namespace {
 // Of the record Node of records.def: two of them fill a line of memory.
 int node_bits(const Config& config) {
   return 3 * (config.world_w + config.half_w() + 2 * config.hull_w()) + 2 * config.exp_w() + config.scale_w() +
-         config.slot_w() + config.count_w();
+         config.slot_w() + config.children_w();
 }
 
 }  // namespace
@@ -101,10 +103,29 @@ void config_check(const Config& config) {
   if (!config.layered && config.order != 0) throw ConfigError("configuration: layered = 0 needs order = 0");
   if (config.tight_cull && config.order == 1) throw ConfigError("configuration: tight_cull = 1 needs order 0 or 2");
   if (config.occlusion && config.order != 2) throw ConfigError("configuration: occlusion = 1 needs order = 2");
+  if (config.lod && (config.order != 2 || config.bucket_bits < Config::error_bits())) {
+    throw ConfigError("configuration: lod = 1 needs order = 2 and bucket_bits of at least " +
+                      std::to_string(Config::error_bits()));
+  }
   if (config.tight_boxes && config.order != 2) throw ConfigError("configuration: tight_boxes = 1 needs order = 2");
   if (const int bits = node_bits(config), most = config.memory_w() / 2; bits > most) {
     throw ConfigError("configuration: a node has " + std::to_string(bits) + " bits, expected at most " +
                       std::to_string(most) + ": world_w or scale_m_w must be smaller");
+  }
+  if (config.record != 48 && config.record != 96) {
+    throw ConfigError("configuration: record = " + std::to_string(config.record) + ", expected 48 or 96");
+  }
+  for (const auto& [name, value, least] : {std::tuple{"pos_w", config.pos_w, Config::offset_code_w()},
+                                           {"base_w", config.base_w, Config::base_code_w() + 2},
+                                           {"sh_m_w", config.sh_m_w, 11}}) {
+    if (config.coded() && value < least) {
+      throw ConfigError("configuration: " + std::string(name) + " = " + std::to_string(value) +
+                        ", expected with record = 48 at least " + std::to_string(least));
+    }
+  }
+  if (config.coded() && config.quat_w > 16) {  // the root of pu_decode is no better, and the cull counts on unit length
+    throw ConfigError("configuration: quat_w = " + std::to_string(config.quat_w) +
+                      ", expected with record = 48 at most 16");
   }
   if (config.pace == 4 && config.tile_test == 2) throw ConfigError("configuration: pace = 4 needs tile_test 0 or 1");
   if (config.power_f > config.coeff_f) throw ConfigError("configuration: power_f must not exceed coeff_f");

@@ -110,7 +110,7 @@ Colored color(const GoldenInput& input, const ColorJob& job, Saturations& satura
   const uint32_t* line =
       color_degree(config, input.frame) == 0
           ? nullptr
-          : input.packed->colors[color_line(input.frame, job.slot) - input.frame.tables.colors].data();
+          : input.packed->colors[color_line(config, input.frame, job.slot) - input.frame.tables.colors].data();
   const Colored colored = pu_color(config, input.frame, job, line, &counts);
   saturations.color += counts.saturated;
   return colored;
@@ -150,7 +150,7 @@ void read_list(const GoldenInput& input, GoldenWindow& window) {
 
 void blend(const GoldenInput& input, GoldenWindow& window) {
   const Config& config = input.packed->config;
-  const BlendConstants constants(config);
+  const BlendConstants constants(config, input.frame.raster.rest);
   const PuRows rows(config);
   BlendCounts counts;
   RegionSet done;
@@ -354,8 +354,9 @@ namespace {
 
 constexpr uint64_t kUnseen = ~uint64_t{0};
 
-// The place of each Gaussian by {order, index}; those that no window has seen come last.
-std::vector<uint32_t> ranks(const std::vector<uint64_t>& order) {
+// The place of each Gaussian of the scene by {order, index}; those that no window has seen come last. `order` has the
+// index by which the machine orders.
+std::vector<uint32_t> ranks(const PackedScene& packed, const std::vector<uint64_t>& order) {
   struct Turn {
     uint64_t order;
     uint32_t index;
@@ -367,11 +368,12 @@ std::vector<uint32_t> ranks(const std::vector<uint64_t>& order) {
   }
   std::sort(seen.begin(), seen.end(),
             [](const Turn& a, const Turn& b) { return a.order != b.order ? a.order < b.order : a.index < b.index; });
-  std::vector<uint32_t> rank(order.size());
-  for (size_t i = 0; i < seen.size(); ++i) rank[seen[i].index] = static_cast<uint32_t>(i);
+  constexpr uint32_t kNone = ~uint32_t{0};
+  std::vector<uint32_t> rank(packed.scene_gaussians, kNone);
+  for (size_t i = 0; i < seen.size(); ++i) rank[packed.scene_index(seen[i].index)] = static_cast<uint32_t>(i);
   auto next = static_cast<uint32_t>(seen.size());
-  for (size_t i = 0; i < order.size(); ++i) {
-    if (order[i] == kUnseen) rank[i] = next++;
+  for (uint32_t& one : rank) {
+    if (one == kNone) one = next++;
   }
   return rank;
 }
@@ -389,8 +391,8 @@ GoldenFrame golden_frame(const GoldenInput& input, const GoldenOptions& options)
   result.image = Image(width, height);
   result.pixels.assign(static_cast<size_t>(width) * height, 0);
   result.stopped.assign(result.pixels.size(), 0);
-  // (layer, depth key) of each Gaussian of the scene; a Gaussian has the same in every window.
-  std::vector<uint64_t> order(input.packed->scene_gaussians, kUnseen);
+  // (layer, depth key) of each Gaussian; it has the same in every window.
+  std::vector<uint64_t> order(std::max(input.packed->scene_gaussians, input.packed->slot_to_index.size()), kUnseen);
   std::mutex mutex;
   uint64_t finished = 0;
   if (config.has_lists()) {
@@ -430,7 +432,7 @@ GoldenFrame golden_frame(const GoldenInput& input, const GoldenOptions& options)
     if (options.progress) options.progress(static_cast<double>(finished) / static_cast<double>(count));
   });
 
-  result.rank = ranks(order);
+  result.rank = ranks(*input.packed, order);
   return result;
 }
 

@@ -18,6 +18,7 @@
 #include "cpp_model/lib/math/exp2.hpp"
 #include "cpp_model/lib/record_table.hpp"
 #include "cpp_model/pu/front/pu_cull.hpp"
+#include "cpp_model/pu/front/pu_decode.hpp"
 #include "cpp_model/pu/front/pu_reach.hpp"
 #include "cpp_model/pu/stages.hpp"
 #include "scenes/text/number.hpp"
@@ -45,12 +46,12 @@ void print_exp2_table(const pipegs::Config& config) {
   }
 }
 
-// A table of the cull by the leading bits of the opacity, entry 0 lowest.
-void print_weights(const char* name, int width, const char* what, uint64_t (*weight)(const pipegs::Config&, int),
-                   const pipegs::Config& config) {
-  std::printf("\n  // %s\n  localparam logic [%d*%d-1:0] %s = {", what, pipegs::kCullWeights, width, name);
-  for (int i = pipegs::kCullWeights - 1; i >= 0; --i) {
-    std::printf("%s%d'd%llu%s", i % 8 == 7 ? "\n    " : " ", width, static_cast<unsigned long long>(weight(config, i)),
+// A table, entry 0 lowest.
+void print_entries(const char* name, int entries, int width, const char* what,
+                   uint64_t (*entry)(const pipegs::Config&, int), const pipegs::Config& config) {
+  std::printf("\n  // %s\n  localparam logic [%d*%d-1:0] %s = {", what, entries, width, name);
+  for (int i = entries - 1; i >= 0; --i) {
+    std::printf("%s%d'd%llu%s", i % 8 == 7 ? "\n    " : " ", width, static_cast<unsigned long long>(entry(config, i)),
                 i > 0 ? "," : "\n  };\n");
   }
 }
@@ -127,6 +128,7 @@ constexpr const char* kBundles = R"(
   // Bundles: wires of all units side by side, the first unit lowest.
   localparam int unsigned ReadPorts = MemoryPorts - WritePorts;
   typedef struct packed {  // ports that only read: geometry of each PU, its colours, then the DOPU
+    logic [Units-1:0][HalvesW-1:0] halves;  // of the line of colours, what is needed
     logic [ReadPorts-1:0][BurstW-1:0] lines;  // less one
     logic [ReadPorts-1:0][AddressW-1:0] address;
     logic [ReadPorts-1:0] valid;
@@ -389,12 +391,18 @@ void print_package(const pipegs::Config& config) {
       "  localparam logic [1:0] PerfBusy = 2'd0;\n  localparam logic [1:0] PerfStarved = 2'd1;\n"
       "  localparam logic [1:0] PerfBlocked = 2'd2;\n  localparam logic [1:0] PerfMemory = 2'd3;\n");
   print_exp2_table(config);
-  print_weights("CullWeights", 9,
+  print_entries("CullWeights", pipegs::kCullWeights, 9,
                 "Weights of a Gaussian's reach, u1.8, by the six leading bits of -log2(opacity). See "
                 "cpp_model/pu/front/pu_cull.hpp.",
                 pipegs::cull_weight, config);
-  print_weights("ReachWeights", 13, "Their squares for pu_reach, u1.12. See cpp_model/pu/front/pu_reach.hpp.",
-                pipegs::reach_weight, config);
+  print_entries("ReachWeights", pipegs::kCullWeights, 13,
+                "Their squares for pu_reach, u1.12. See cpp_model/pu/front/pu_reach.hpp.", pipegs::reach_weight,
+                config);
+  print_entries("OpacityCodes", pipegs::kMostOpacity + 1, config.opacity_w(),
+                "-log2(opacity), u4.OpacityF, of each code. See cpp_model/pu/front/pu_decode.hpp.",
+                pipegs::opacity_of_code, config);
+  print_entries("ScaleSteps", pipegs::kScaleSteps, config.scale_m_w, "Mantissas of the sixteenths of an octave.",
+                pipegs::scale_step, config);
   for (const Record& record : pipegs::record_table()) printer.print(record);
   print_stages(config);
   print_areas(config);

@@ -12,7 +12,8 @@ namespace {
   [[maybe_unused]] int config_width_##name(const Config& c) { return c.name; }
 #define PIPEGS_DERIVED(name, Name, expression, what) \
   [[maybe_unused]] int config_width_##name(const Config& c) { return c.name(); }
-#define PIPEGS_FIXED(name, Name, value, what)
+#define PIPEGS_FIXED(name, Name, value, what) \
+  [[maybe_unused]] int config_width_##name(const Config&) { return value; }
 #include "cpp_model/config.def"
 #undef PIPEGS_CONFIG
 #undef PIPEGS_DERIVED

@@ -75,6 +75,7 @@ rtl/pipegs_top.sv
 rtl/pu/color/pu_color.sv
 rtl/pu/color/pu_color_basis.sv
 rtl/pu/color/pu_color_fetch.sv
+rtl/pu/color/pu_color_mantissas.sv
 rtl/pu/color/pu_color_normalise.sv
 rtl/pu/color/pu_color_rotate.sv
 rtl/pu/color/pu_color_sum.sv

@@ -28,9 +28,9 @@
   logic         s_axi_rvalid;   // output an answer comes two cycles behind its request
   logic         s_axi_rready;   // input  AW and W come in any order
   logic [5:0]   m_axi_awid;     // output 0
-  logic [39:0]  m_axi_awaddr;   // output a multiple of 64
+  logic [39:0]  m_axi_awaddr;   // output a multiple of 64; with record = 48 a read's of 32
   logic [7:0]   m_axi_awlen;    // output one line: 512 / D - 1
-  logic [2:0]   m_axi_awsize;   // output all of D: 4, 5 or 6
+  logic [2:0]   m_axi_awsize;   // output all of D: 4, 5 or 6; with record = 48 and D = 512 5 for half a line
   logic [1:0]   m_axi_awburst;  // output 2'b01: INCR
   logic [3:0]   m_axi_awcache;  // output 4'b0010: normal, not cached, not buffered
   logic [2:0]   m_axi_awprot;   // output 3'b000: data, secure, unprivileged
@@ -46,9 +46,10 @@
   logic         m_axi_bvalid;   // input  rlast is needed
   logic         m_axi_bready;   // output 1 while a write is unanswered
   logic [5:0]   m_axi_arid;     // output {epoch, tag}: all I bits come back in rid
-  logic [39:0]  m_axi_araddr;   // output a multiple of 64
-  logic [7:0]   m_axi_arlen;    // output 1 to 8 lines of 64 bytes: n * 512 / D - 1, within 512 aligned bytes
-  logic [2:0]   m_axi_arsize;   // output all of D: 4, 5 or 6
+  logic [39:0]  m_axi_araddr;   // output a multiple of 64; with record = 48 a read's of 32
+  logic [7:0]   m_axi_arlen;    // output 1 to 8 lines of 64 bytes: n * 512 / D - 1, within 512 aligned bytes; with
+                                //        record = 48 also half a line: 256 / D - 1, of D = 512 one beat
+  logic [2:0]   m_axi_arsize;   // output all of D: 4, 5 or 6; with record = 48 and D = 512 5 for half a line
   logic [1:0]   m_axi_arburst;  // output 2'b01: INCR
   logic [3:0]   m_axi_arcache;  // output 4'b0010: normal, not cached, not buffered
   logic [2:0]   m_axi_arprot;   // output 3'b000: data, secure, unprivileged

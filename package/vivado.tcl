@@ -12,7 +12,7 @@ set_property top pipegs_axi [current_fileset]
 ipx::package_project -root_dir build/ip -vendor pipegs -library core -taxonomy /Video -import_files -force
 set core [ipx::current_core]
 set_property name pipegs $core
-set_property version 3.0 $core
+set_property version 3.1 $core
 foreach bus {s_axi m_axi} { ipx::associate_bus_interfaces -busif $bus -clock aclk $core }
 set reset [ipx::get_bus_interfaces aresetn -of_objects $core]
 set_property value ACTIVE_LOW [ipx::add_bus_parameter POLARITY $reset]

@@ -173,6 +173,7 @@ module pipegs_front #(
       .color_valid_o(reads_o.valid[Colors+k]),
       .color_ready_i(reads_i.ready[Colors+k]),
       .color_address_o(reads_o.address[Colors+k]),
+      .color_halves_o(reads_o.halves[k]),
       .color_rsp_valid_i(reads_i.line[Colors+k]),
       .rsp_data_i(line_i),
       .spill_valid_o(spill_o.valid[k]),

@@ -26,6 +26,9 @@ package pipegs_pkg;
   // 1: of a region the lanes blend only the quads of 2x2 pixels that a splat changes; 0: whole regions (1 needs late,
   // and quadratic = 0)
   localparam int unsigned Quads          = 1;
+  // a Gaussian in memory, its geometry and its SH of degree 3: 96, each as below; 48: codes (code_t) that pu_decode and
+  // pu_color_sum turn into those
+  localparam int unsigned Record         = 96;
   localparam int unsigned WorldW         = 40;  // world coordinate, signed, unit 2^scene_exponent
   // offset of a mean from its chunk's centre, signed, unit 2^offset_exp world units
   localparam int unsigned PosW           = 18;
@@ -56,6 +59,9 @@ package pipegs_pkg;
   // 1: a node holds the box around its Gaussians' ellipsoids, too, which the DOPU tests where they are small beside
   // their distance; 0: only that of their means, grown by the largest scale (1 needs order 2)
   localparam int unsigned TightBoxes     = 1;
+  // 1: a group has proxies, which a frame may take in place of its Gaussians where they are small; 0: it has none (1
+  // needs order = 2)
+  localparam int unsigned Lod            = 0;
   // 1: what lies beside a rectangle around the regions still open is neither fetched nor projected; 0: it is, until the
   // whole walk is closed (1 needs order = 2)
   localparam int unsigned Occlusion      = 1;
@@ -102,6 +108,7 @@ package pipegs_pkg;
   localparam int unsigned ClockGates     = 1;
   // 1: the streams show at the top level (tap_*), so every one is compared; 0: only pixels are
   localparam int unsigned Taps           = 0;
+  localparam bit Coded                   = 1'b0;  // geometry and SH lie in memory as codes
   localparam bit CachesAlphas            = 1'b0;  // the PUs compute alphas; else coefficients, and the RUs alphas
   localparam bit HasLayers               = 1'b0;  // a window is sorted and blended layer by layer
   localparam bit HasLists                = 1'b0;  // the frame is preprocessed into lists of its windows in memory
@@ -162,8 +169,14 @@ package pipegs_pkg;
   localparam int unsigned SizeW          = 15;  // width or height of the frame, pixels
   localparam int unsigned ExpW           = 6;  // block exponent, unsigned
   localparam int unsigned FloatEW        = 9;  // exponent of a normalised mantissa, signed
-  localparam int unsigned SlotW          = 24;  // slot of a Gaussian in packed memory
-  localparam int unsigned CountW         = 16;  // Gaussians of a chunk, chunks of a group, groups of a cell
+  localparam int unsigned SlotW          = 24;  // slot of a Gaussian, or of a proxy, in packed memory
+  localparam int unsigned ChildrenW      = 16;  // groups of a cell
+  localparam int unsigned ErrorW         = 0;  // error of a group's proxies; absent unless lod
+  // Gaussians of a chunk, chunks of a group; of a cell's groups the lower bits
+  localparam int unsigned CountW         = 16;
+  localparam int unsigned ErrorBits      = 2;  // mantissa bits of such an error: four steps an octave
+  localparam int unsigned ChunkProxies   = 2;  // most proxies of a chunk's Gaussians: they fill chunks of their own
+  localparam int unsigned LodW           = 0;  // level of detail of a frame; absent unless lod
   // half extent of a bounding box, unsigned, unit 2^half_exp world units, rounded up
   localparam int unsigned HalfW          = 8;
   // how far the box around ellipsoids reaches, unit 2^(half_exp + 1), rounded up; absent unless tight_boxes
@@ -211,7 +224,23 @@ package pipegs_pkg;
   localparam int unsigned UnitDirectionF = 16;  // its fraction
   localparam int unsigned BasisW         = 17;  // SH basis function, s0.16; none exceeds 0.75
   localparam int unsigned BasisF         = 16;  // its fraction
-  localparam int unsigned QuarterW       = 2;  // quarter of a line: the slot of a Gaussian of SH degree 1
+  // part of a line: the slot of a Gaussian of SH degree 1, a quarter of the line; coded an eighth
+  localparam int unsigned QuarterW       = 2;
+  localparam int unsigned OffsetCodeW    = 14;  // code of an offset, signed, unit 2^(PosW - 14) of the offset's
+  localparam int unsigned AxisW          = 2;  // number of a component of a quaternion: w, x, y, z
+  localparam int unsigned TurnCodeW      = 9;  // code of a component of a quaternion, signed, unit 2^-8 / sqrt(2)
+  // code of a scale: sixteenths of an octave below 8 * 2^scale_exp; the last one is scale zero
+  localparam int unsigned ScaleCodeW     = 8;
+  localparam int unsigned OpacityCodeW   = 8;  // code of an opacity, u0.8 of 255
+  localparam int unsigned BaseCodeW      = 8;  // code of SH band 0, s0.7
+  // exponent of the largest effective scale of a chunk; absent unless coded
+  localparam int unsigned ScaleExpW      = 0;
+  // where a chunk's Gaussians lie: its node's centre, offset_exp, and the exponent of scale_max if coded
+  localparam int unsigned NodePlaceW     = 126;
+  // code of an SH band: by how many bits it lies below the Gaussian's exponent
+  localparam int unsigned ShDropW        = 3;
+  localparam int unsigned ShBand1W       = 6;  // code of an SH coefficient of band 1, signed
+  localparam int unsigned ShBand2W       = 5;  // code of one of band 2 or 3, signed
   localparam int unsigned RotationW      = 20;  // view-space rotation matrix of a Gaussian, s1.18
   // signed mantissa of a factor of the covariance, normalised: the two top bits differ
   localparam int unsigned FactorW        = 23;
@@ -272,7 +301,7 @@ package pipegs_pkg;
   localparam int unsigned ListWindowW    = 12;
   localparam int unsigned ListEntryW     = 20;  // entry of a list, one line each; a list has at most 2^ListEntryW - 1
   localparam int unsigned UnitW          = 2;  // number of a unit
-  localparam int unsigned GaussiansPerLine = 2;  // geometry records in a line of memory, at 0 and 256 bits
+  localparam int unsigned GaussiansPerLine = 2;  // geometry records in a line of memory, each at its part of the line
   localparam int unsigned RegionLines    = 4;  // lines of external memory for the pixels of a region
   localparam int unsigned AddressW       = 34;  // line of 64 bytes in external memory
   localparam int unsigned MemoryW        = 512;  // a line of external memory
@@ -281,6 +310,8 @@ package pipegs_pkg;
   localparam int unsigned TagW           = 5;  // who asked: the requester's port
   // a pixel stops before its transmittance falls below 1/TCut: ceil(2^(TW-1) / TCut)
   localparam int unsigned TStop          = 27;
+  // transmittance below 1, at which a frame's pixels stop; absent if none stops
+  localparam int unsigned RestW          = 18;
   // lines of a read, less one: a request reads up to eight lines of one aligned group
   localparam int unsigned BurstW         = 3;
   localparam int unsigned PerfW          = 40;  // a performance counter, cycles or events
@@ -391,6 +422,48 @@ package pipegs_pkg;
     13'd1158, 13'd1286, 13'd1414, 13'd1542, 13'd1671, 13'd1799, 13'd1927, 13'd2055,
     13'd2183, 13'd2311, 13'd2439, 13'd2567, 13'd2695, 13'd2823, 13'd2951, 13'd3080,
     13'd3208, 13'd3336, 13'd3464, 13'd3592, 13'd3720, 13'd3848, 13'd3976, 13'd4104
+  };
+
+  // -log2(opacity), u4.OpacityF, of each code. See cpp_model/pu/front/pu_decode.hpp.
+  localparam logic [256*16-1:0] OpacityCodes = {
+    16'd0, 16'd23, 16'd47, 16'd70, 16'd93, 16'd117, 16'd141, 16'd164,
+    16'd188, 16'd212, 16'd236, 16'd261, 16'd285, 16'd309, 16'd334, 16'd358,
+    16'd383, 16'd408, 16'd433, 16'd458, 16'd483, 16'd508, 16'd533, 16'd559,
+    16'd584, 16'd610, 16'd635, 16'd661, 16'd687, 16'd713, 16'd740, 16'd766,
+    16'd792, 16'd819, 16'd846, 16'd872, 16'd899, 16'd926, 16'd954, 16'd981,
+    16'd1008, 16'd1036, 16'd1064, 16'd1091, 16'd1119, 16'd1147, 16'd1176, 16'd1204,
+    16'd1232, 16'd1261, 16'd1290, 16'd1319, 16'd1348, 16'd1377, 16'd1406, 16'd1436,
+    16'd1465, 16'd1495, 16'd1525, 16'd1555, 16'd1585, 16'd1616, 16'd1646, 16'd1677,
+    16'd1708, 16'd1739, 16'd1770, 16'd1801, 16'd1833, 16'd1864, 16'd1896, 16'd1928,
+    16'd1961, 16'd1993, 16'd2026, 16'd2058, 16'd2091, 16'd2124, 16'd2158, 16'd2191,
+    16'd2225, 16'd2259, 16'd2293, 16'd2327, 16'd2361, 16'd2396, 16'd2431, 16'd2466,
+    16'd2501, 16'd2537, 16'd2572, 16'd2608, 16'd2644, 16'd2681, 16'd2717, 16'd2754,
+    16'd2791, 16'd2829, 16'd2866, 16'd2904, 16'd2942, 16'd2980, 16'd3019, 16'd3057,
+    16'd3096, 16'd3136, 16'd3175, 16'd3215, 16'd3255, 16'd3295, 16'd3336, 16'd3377,
+    16'd3418, 16'd3460, 16'd3501, 16'd3543, 16'd3586, 16'd3628, 16'd3671, 16'd3715,
+    16'd3758, 16'd3802, 16'd3846, 16'd3891, 16'd3936, 16'd3981, 16'd4027, 16'd4073,
+    16'd4119, 16'd4166, 16'd4213, 16'd4260, 16'd4308, 16'd4357, 16'd4405, 16'd4454,
+    16'd4504, 16'd4554, 16'd4604, 16'd4655, 16'd4706, 16'd4757, 16'd4809, 16'd4862,
+    16'd4915, 16'd4968, 16'd5022, 16'd5077, 16'd5132, 16'd5187, 16'd5243, 16'd5300,
+    16'd5357, 16'd5415, 16'd5473, 16'd5532, 16'd5591, 16'd5651, 16'd5712, 16'd5773,
+    16'd5835, 16'd5897, 16'd5960, 16'd6024, 16'd6089, 16'd6154, 16'd6220, 16'd6287,
+    16'd6355, 16'd6423, 16'd6492, 16'd6562, 16'd6633, 16'd6704, 16'd6777, 16'd6850,
+    16'd6925, 16'd7000, 16'd7076, 16'd7153, 16'd7232, 16'd7311, 16'd7391, 16'd7473,
+    16'd7556, 16'd7639, 16'd7724, 16'd7811, 16'd7898, 16'd7987, 16'd8077, 16'd8169,
+    16'd8262, 16'd8356, 16'd8453, 16'd8550, 16'd8650, 16'd8751, 16'd8853, 16'd8958,
+    16'd9064, 16'd9173, 16'd9283, 16'd9396, 16'd9511, 16'd9628, 16'd9747, 16'd9869,
+    16'd9993, 16'd10120, 16'd10250, 16'd10383, 16'd10519, 16'd10658, 16'd10800, 16'd10946,
+    16'd11096, 16'd11249, 16'd11407, 16'd11569, 16'd11735, 16'd11907, 16'd12083, 16'd12265,
+    16'd12452, 16'd12646, 16'd12847, 16'd13054, 16'd13269, 16'd13492, 16'd13724, 16'd13965,
+    16'd14216, 16'd14479, 16'd14754, 16'd15042, 16'd15345, 16'd15665, 16'd16003, 16'd16361,
+    16'd16742, 16'd17150, 16'd17588, 16'd18061, 16'd18575, 16'd19138, 16'd19761, 16'd20457,
+    16'd21246, 16'd22157, 16'd23234, 16'd24553, 16'd26253, 16'd28649, 16'd32745, 16'd65535
+  };
+
+  // Mantissas of the sixteenths of an octave.
+  localparam logic [16*12-1:0] ScaleSteps = {
+    12'd3749, 12'd3416, 12'd3098, 12'd2793, 12'd2501, 12'd2221, 12'd1953, 12'd1697,
+    12'd1451, 12'd1216, 12'd991, 12'd775, 12'd568, 12'd371, 12'd181, 12'd0
   };
 
   typedef struct packed {
@@ -510,11 +583,12 @@ package pipegs_pkg;
   localparam int unsigned OpenBits = 101;
 
   typedef struct packed {
+    logic [RestW-1:0] rest;  // u0.(TW-1): with less left a pixel's next Gaussian takes all; 0: it stops at 1/TCut
     windows_t windows;
     logic [SizeW-1:0] height;  // pixels
     logic [SizeW-1:0] width;  // pixels
   } raster_t;
-  localparam int unsigned RasterBits = 70;
+  localparam int unsigned RasterBits = 88;
 
   typedef struct packed {
     // Gaussians at one depth from which on a window is walked part by part; 0: never is
@@ -525,11 +599,12 @@ package pipegs_pkg;
     lens_t lens;
     camera_t camera;
   } frame_t;
-  localparam int unsigned FrameBits = 1268;
+  localparam int unsigned FrameBits = 1286;
 
   typedef struct packed {
     logic [CountW-1:0] count;  // cell: groups; group: chunks; chunk: Gaussians
-    logic [SlotW-1:0] first;  // cell: first group; group: first chunk; chunk: slot of the first Gaussian (even)
+    // cell: first group; group: first chunk; chunk: slot of the first Gaussian, that of a line
+    logic [SlotW-1:0] first;
     // largest effective scale in the node, rounded up: scale * sqrt(ln(AlphaCut opacity) / ln AlphaCut)
     logic [ScaleW-1:0] scale_max;
     logic [ExpW-1:0] offset_exp;  // unit of the offsets of the chunk's means is 2^offset_exp world units
@@ -551,7 +626,7 @@ package pipegs_pkg;
   localparam int unsigned NodeBits = 256;
 
   typedef struct packed {
-    logic [IndexW-1:0] index;
+    logic [IndexW-1:0] index;  // coded: its slot
     logic signed [BaseW-1:0] base_b;
     logic signed [BaseW-1:0] base_g;
     logic signed [BaseW-1:0] base_r;  // SH band 0 + 1/2
@@ -570,6 +645,24 @@ package pipegs_pkg;
   localparam int unsigned GaussianRecordBits = 254;
 
   typedef struct packed {
+    logic signed [BaseCodeW-1:0] base_b;
+    logic signed [BaseCodeW-1:0] base_g;
+    logic signed [BaseCodeW-1:0] base_r;  // SH band 0
+    logic [OpacityCodeW-1:0] opacity;
+    logic [ScaleCodeW-1:0] scale_2;
+    logic [ScaleCodeW-1:0] scale_1;
+    logic [ScaleCodeW-1:0] scale_0;  // standard deviation along the first axis
+    logic signed [TurnCodeW-1:0] turn_2;
+    logic signed [TurnCodeW-1:0] turn_1;
+    logic signed [TurnCodeW-1:0] turn_0;  // the other three in their order
+    logic [AxisW-1:0] axis;  // component of the quaternion that is largest; it is not negative, and not stored
+    logic signed [OffsetCodeW-1:0] offset_z;
+    logic signed [OffsetCodeW-1:0] offset_y;
+    logic signed [OffsetCodeW-1:0] offset_x;  // mean - chunk centre
+  } code_t;
+  localparam int unsigned GaussianCodeBits = 127;
+
+  typedef struct packed {
     logic signed [TestW-1:0] reach;  // of the near plane: -1, it multiplies the near distance
     logic signed [TestW-1:0] nz;
     logic signed [TestW-1:0] ny;
@@ -580,7 +673,7 @@ package pipegs_pkg;
   typedef struct packed {
     logic [MarkW-1:0] watermark;  // of a layer's end: no depth key of a later chunk of the window is smaller; else 0
     logic [CountW-1:0] count;  // Gaussians
-    logic [SlotW-1:0] slot;  // first Gaussian (even)
+    logic [SlotW-1:0] slot;  // first Gaussian: that of a line
     logic [ExpW-1:0] offset_exp;
     logic [ExpW-1:0] view_exp;
     logic signed [ViewW-1:0] origin_z;
@@ -592,6 +685,21 @@ package pipegs_pkg;
     logic [KindW-1:0] kind;
   } chunk_t;
   localparam int unsigned ChunkBits = 185;
+
+  typedef struct packed {
+    logic [SlotW-1:0] slot;
+    code_t code;
+    logic [ExpW-1:0] offset_exp;
+    logic [ExpW-1:0] view_exp;
+    logic signed [ViewW-1:0] origin_z;
+    logic signed [ViewW-1:0] origin_y;
+    logic signed [ViewW-1:0] origin_x;  // chunk centre in view space, unit 2^view_exp
+    logic [WalkW-1:0] walk;
+    logic [WindowW-1:0] window_y;
+    logic [WindowW-1:0] window_x;
+    logic [KindW-1:0] kind;
+  } coded_t;
+  localparam int unsigned CodedBits = 272;
 
   typedef struct packed {
     logic [SlotW-1:0] slot;
@@ -961,7 +1069,7 @@ package pipegs_pkg;
     logic ext;
     logic [AlphaAddressW-1:0] address;
     logic [MaskW-1:0] mask;
-    logic [QuarterW-1:0] quarter;  // where the coefficients lie in their line, SH degree 1
+    logic [QuarterW-1:0] quarter;  // where the coefficients lie in their line, if it holds those of more than one
     logic [SplatIndexW-1:0] index;
     logic [DepthW-1:0] depth;
     logic [KindW-1:0] kind;
@@ -1086,7 +1194,8 @@ package pipegs_pkg;
   typedef struct packed {
     // lines of a read, less one: from `address` on, in one aligned group of eight; 0 for a write
     logic [BurstW-1:0] lines;
-    logic [HalvesW-1:0] halves;  // which 32 bytes of the line a write changes, the low ones first; 3 of a read
+    // which 32 bytes of the line a write changes or a read needs, the low ones first; 3 of a read of several lines
+    logic [HalvesW-1:0] halves;
     logic [TagW-1:0] tag;  // who asks; reads of one tag answer in order
     logic [AddressW-1:0] address;  // line
     logic write;
@@ -1237,8 +1346,9 @@ package pipegs_pkg;
   } control_bus_timeout_t;
 
   // Registers that the configuration fixes: {offset of 16 bits, value of 32}.
-  localparam int unsigned ControlConstants = 14;
+  localparam int unsigned ControlConstants = 15;
   localparam logic [ControlConstants*48-1:0] ControlConstantTable = {
+    48'h00a8_00000012,  // CONFIG_LESS
     48'h00a4_00040100,  // CONFIG_OVERFLOW
     48'h00a0_00ff4022,  // CONFIG_MEMORY
     48'h009c_0f0d2016,  // CONFIG_LENS
@@ -1249,9 +1359,9 @@ package pipegs_pkg;
     48'h0088_060c1012,  // CONFIG_GAUSSIAN
     48'h0084_10030e52,  // CONFIG_POINT
     48'h0080_10048004,  // CONFIG_COUNTS
-    48'h000c_b67e5afb,  // CONFIG_HASH
-    48'h0008_361db30a,  // LAYOUT
-    48'h0004_00030000,  // VERSION
+    48'h000c_2d310862,  // CONFIG_HASH
+    48'h0008_5f32e8a0,  // LAYOUT
+    48'h0004_00030001,  // VERSION
     48'h0000_47504950  // ID
   };
 
@@ -1265,21 +1375,23 @@ package pipegs_pkg;
   // What a start queues: frame_t, areas_t and picture_t in this order, the first one lowest. A slot is {byte
   // offset of its low word (16 bits), lowest bit of its value in what is queued (16), width of the value (8),
   // bit of the slot at which it begins (8), 1 if it is signed (8)}.
-  localparam int unsigned ControlShadowBits = 1587;
-  localparam int unsigned ControlSlots = 60;
+  localparam int unsigned ControlShadowBits = 1605;
+  localparam int unsigned ControlSlots = 62;
   localparam logic [ControlSlots*56-1:0] ControlSlotTable = {
-    56'h0490_0627_0c_06_00,  // stride
-    56'h0488_0605_22_06_00,  // base
-    56'h0480_0604_01_00_00,  // format
-    56'h0438_05e2_22_06_00,  // picture
-    56'h0430_05c0_22_06_00,  // overflow
-    56'h0428_059e_22_06_00,  // pixels
-    56'h0420_057c_22_06_00,  // colors
-    56'h0418_055a_22_06_00,  // gaussians
-    56'h0410_0538_22_06_00,  // chunks
-    56'h0408_0516_22_06_00,  // groups
-    56'h0400_04f4_22_06_00,  // cells
-    56'h0380_04dc_18_00_00,  // walk_most
+    56'h0490_0639_0c_06_00,  // stride
+    56'h0488_0617_22_06_00,  // base
+    56'h0480_0616_01_00_00,  // format
+    56'h0438_05f4_22_06_00,  // picture
+    56'h0430_05d2_22_06_00,  // overflow
+    56'h0428_05b0_22_06_00,  // pixels
+    56'h0420_058e_22_06_00,  // colors
+    56'h0418_056c_22_06_00,  // gaussians
+    56'h0410_054a_22_06_00,  // chunks
+    56'h0408_0528_22_06_00,  // groups
+    56'h0400_0506_22_06_00,  // cells
+    56'h0390_04ee_18_00_00,  // walk_most
+    56'h0388_04ee_00_00_00,  // lod
+    56'h0380_04dc_12_00_00,  // raster.rest
     56'h0378_04d2_0a_00_00,  // raster.windows.last_y
     56'h0370_04c8_0a_00_00,  // raster.windows.last_x
     56'h0368_04be_0a_00_00,  // raster.windows.first_y
@@ -1396,6 +1508,7 @@ package pipegs_pkg;
   // Bundles: wires of all units side by side, the first unit lowest.
   localparam int unsigned ReadPorts = MemoryPorts - WritePorts;
   typedef struct packed {  // ports that only read: geometry of each PU, its colours, then the DOPU
+    logic [Units-1:0][HalvesW-1:0] halves;  // of the line of colours, what is needed
     logic [ReadPorts-1:0][BurstW-1:0] lines;  // less one
     logic [ReadPorts-1:0][AddressW-1:0] address;
     logic [ReadPorts-1:0] valid;

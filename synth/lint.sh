@@ -42,16 +42,17 @@ if [ ${#modules[@]} -eq 0 ] && [ -z "$corners" ]; then
 fi
 declare -A point  # settings of each design point
 while read -r name settings; do point[$name]=$settings; done < <(synth/design_points.py)
-# Machines beside the design points, as settings, for what none of those has: pu_compensate and stages of four
+# Machines beside the design points, as settings, for what none of those has: pu_compensate, codes and stages of four
 # cycles; a second cull or living quads in windows of one part; a narrow bus and clocks that never stop; nothing that
 # can be left out.
-others=("antialias=1 pace=4 bus_w=128 clock_gates=0" "tight_cull=1" "late=1 order=2 quads=1"
+others=("antialias=1 pace=4 record=48 bus_w=128 clock_gates=0" "tight_cull=1" "late=1 order=2 quads=1 lod=1"
   "sh_degree=0 near_test=0 guard_band=0 saturation=0 early_stop=0 layered=0 index_ties=0 overflow=0 large_groups=0 \
 taps=0")
 elaborated=() simulated=("bus_w=0")
 # verif/cli/static_cost_test.cpp elaborates dop and fast, and machines like the last two with two units;
 # verif/self/streams/ready.py tspp and dpc.
-elsewhere=("${point[dop]}" "${point[fast]}" "${point[tspp]}" "${point[dpc]}" "tight_cull=1" "late=1 order=2 quads=1")
+elsewhere=("${point[dop]}" "${point[fast]}" "${point[tspp]}" "${point[dpc]}" "tight_cull=1"
+           "late=1 order=2 quads=1 lod=1")
 for machine in "${point[@]}" "${others[@]}"; do
   for other in "${elsewhere[@]}"; do [[ -z $rest || $machine != "$other" ]] || continue 2; done
   elaborated+=("$machine")
@@ -63,7 +64,8 @@ else
   simulated+=("${point[@]}" "${others[@]}")
 fi
 # Modules that the default configuration has not: a machine that has them.
-declare -A machine_of=([pu_compensate]="antialias=1")
+declare -A machine_of=([pu_compensate]="antialias=1" [pu_decode]="record=48" [pu_color_codes]="record=48"
+  [dopu_lod]="late=1 order=2 lod=1")
 for module in project orient jacobian factors squares covariance conic extent coeff; do
   machine_of[pu_four_$module]="pace=4"
 done

@@ -18,6 +18,7 @@
 #include "cpp_model/dopu/dopu_planes.hpp"
 #include "cpp_model/dopu/dopu_test.hpp"
 #include "cpp_model/dopu/nearest/dopu_depth.hpp"
+#include "cpp_model/dopu/nearest/dopu_lod.hpp"
 #include "cpp_model/pack/pack.hpp"
 
 namespace pipegs {
@@ -75,8 +76,8 @@ inline bool dopu_load(const Config& config, const Frame& frame, const PackedScen
     for (uint64_t g = cell.first; g < cell.first + cell.count; ++g) {
       const Node& group = scene.groups[g];
       if (!dopu_test(config, frame, planes, group, dopu_depth_edge(config, frame, bucket))) continue;
-      load.add(dopu_depth(config, frame, planes, group, bucket), dopu_depth_far(config, frame, planes, group, bucket),
-               group.count);
+      const int near = dopu_depth(config, frame, planes, group, bucket);
+      load.add(near, dopu_depth_far(config, frame, planes, group, bucket), dopu_lod(config, frame, group, near).count);
     }
   }
   return load.many_groups() || load.overfull().has_value();

@@ -38,6 +38,7 @@ inline Chunk dopu_origin(const Config& config, const Frame& frame, const Node& n
   chunk.origin_z = static_cast<int64_t>(shift_round(origin[2], shift));
   chunk.view_exp = static_cast<uint64_t>(view_exp);
   chunk.offset_exp = node.offset_exp;
+  if (config.coded()) chunk.scale_exp = node.scale_max >> config.scale_m_w;
   chunk.slot = node.first;
   chunk.count = node.count;
   return chunk;

@@ -276,13 +276,12 @@ struct pipegs_memory pipegs_place(const struct pipegs_configuration *config, con
 /* Do the records in the image have the fields that this machine reads? */
 static bool same_records(const struct pipegs_configuration *a, const struct pipegs_configuration *b) {
   return a->grid == b->grid && a->table_cells == b->table_cells && a->chunk == b->chunk && a->group == b->group &&
-         a->tight_boxes == b->tight_boxes &&
-         a->sh_degree == b->sh_degree && a->pos_w == b->pos_w && a->quat_w == b->quat_w &&
-         a->scale_m_w == b->scale_m_w && a->scale_e_w == b->scale_e_w && a->base_w == b->base_w &&
-         a->sh_m_w == b->sh_m_w && a->sh_e_w == b->sh_e_w && a->opacity_f == b->opacity_f &&
-         a->world_w == b->world_w && a->index_w == b->index_w && a->half_w == b->half_w && a->hull_w == b->hull_w &&
-         a->slot_w == b->slot_w && a->count_w == b->count_w && a->focal_w == b->focal_w && a->line == b->line &&
-         a->alpha_cut == b->alpha_cut;
+         a->tight_boxes == b->tight_boxes && a->sh_degree == b->sh_degree && a->coded == b->coded &&
+         a->pos_w == b->pos_w && a->quat_w == b->quat_w && a->scale_m_w == b->scale_m_w &&
+         a->scale_e_w == b->scale_e_w && a->base_w == b->base_w && a->sh_m_w == b->sh_m_w && a->sh_e_w == b->sh_e_w &&
+         a->opacity_f == b->opacity_f && a->world_w == b->world_w && a->index_w == b->index_w &&
+         a->half_w == b->half_w && a->hull_w == b->hull_w && a->slot_w == b->slot_w && a->count_w == b->count_w &&
+         a->focal_w == b->focal_w && a->line == b->line && a->alpha_cut == b->alpha_cut;
 }
 
 /* A place of the machine's memory: aligned, and all of it there. */
@@ -322,6 +321,7 @@ enum pipegs_setup pipegs_setup_job(const struct pipegs_configuration *config, co
   struct pipegs_frame *const frame = &job->frame;
   enum pipegs_setup result;
   int axis;
+  *frame = (struct pipegs_frame){0}; /* the whole picture: no rest, no level of detail */
   if (!same_records(config, &scene->packed_for)) return PIPEGS_SETUP_SCENE;
   if ((result = set_windows(config, camera, windows, frame)) != PIPEGS_SETUP_OK) return result;
   if ((result = set_pose(config, scene, camera, frame)) != PIPEGS_SETUP_OK) return result;

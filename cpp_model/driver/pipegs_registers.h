@@ -18,11 +18,11 @@
 #define PIPEGS_VERSION_MINOR 0x0000ffffu /* goes up when something is added */
 #define PIPEGS_VERSION_MAJOR 0xffff0000u /* goes up when a driver has to change */
 #define PIPEGS_VERSION_MAJOR_SHIFT 16
-#define PIPEGS_VERSION_VALUE 0x00030000u
+#define PIPEGS_VERSION_VALUE 0x00030001u
 
 #define PIPEGS_LAYOUT 0x008u /* which table of registers this is */
 #define PIPEGS_LAYOUT_HASH 0xffffffffu /* FNV-1a of all names and places: the driver has the same */
-#define PIPEGS_LAYOUT_VALUE 0x361db30au
+#define PIPEGS_LAYOUT_VALUE 0x5f32e8a0u
 
 #define PIPEGS_CONFIG_HASH 0x00cu /* which machine this is */
 #define PIPEGS_CONFIG_HASH_HASH 0xffffffffu /* FNV-1a of name=value; of every choice in config.def */
@@ -126,6 +126,8 @@
 #define PIPEGS_CONFIG_POINT_OVERFLOW_SHIFT 11
 #define PIPEGS_CONFIG_POINT_SH_DEGREE 0x00030000u /* highest SH degree */
 #define PIPEGS_CONFIG_POINT_SH_DEGREE_SHIFT 16
+#define PIPEGS_CONFIG_POINT_CODED 0x00040000u /* 1: records of Gaussians are codes of 48 bytes */
+#define PIPEGS_CONFIG_POINT_CODED_SHIFT 18
 #define PIPEGS_CONFIG_POINT_TABLE_CELLS 0xfff00000u /* entries of the table of cells */
 #define PIPEGS_CONFIG_POINT_TABLE_CELLS_SHIFT 20
 
@@ -199,8 +201,13 @@
 #define PIPEGS_CONFIG_OVERFLOW_LIST_ENTRY_W 0xff000000u /* entry of a list of a window, 0: no lists */
 #define PIPEGS_CONFIG_OVERFLOW_LIST_ENTRY_W_SHIFT 24
 
+#define PIPEGS_CONFIG_LESS 0x0a8u /* fields of a frame that trade accuracy for time */
+#define PIPEGS_CONFIG_LESS_REST_W 0x000000ffu /* raster.rest, all of it fraction; 0: absent */
+#define PIPEGS_CONFIG_LESS_LOD_BITS 0x0000ff00u /* a step of the field lod is 2^-lod_bits octaves; 0: absent */
+#define PIPEGS_CONFIG_LESS_LOD_BITS_SHIFT 8
+
 #define PIPEGS_FRAME 0x200u /* parameters of the frame, each field of frame_t */
-#define PIPEGS_FRAME_SLOTS 49
+#define PIPEGS_FRAME_SLOTS 51
 #define PIPEGS_FRAME_CAMERA_POSITION_X 0x200u
 #define PIPEGS_FRAME_CAMERA_POSITION_Y 0x208u
 #define PIPEGS_FRAME_CAMERA_POSITION_Z 0x210u
@@ -249,7 +256,9 @@
 #define PIPEGS_FRAME_RASTER_WINDOWS_FIRST_Y 0x368u
 #define PIPEGS_FRAME_RASTER_WINDOWS_LAST_X 0x370u
 #define PIPEGS_FRAME_RASTER_WINDOWS_LAST_Y 0x378u
-#define PIPEGS_FRAME_WALK_MOST 0x380u
+#define PIPEGS_FRAME_RASTER_REST 0x380u
+#define PIPEGS_FRAME_LOD 0x388u
+#define PIPEGS_FRAME_WALK_MOST 0x390u
 
 #define PIPEGS_AREAS 0x400u /* sizes of what lies at the addresses of the frame */
 #define PIPEGS_AREAS_SLOTS 8
@@ -426,6 +435,8 @@ struct pipegs_frame {
   uint64_t raster_windows_first_y; /* row of the first */
   uint64_t raster_windows_last_x; /* column of the last */
   uint64_t raster_windows_last_y; /* row of the last */
+  uint64_t raster_rest; /* u0.(TW-1): with less left a pixel's next Gaussian takes all; 0: it stops at 1/TCut */
+  uint64_t lod; /* level of detail: log2(focal / lod_pixels) in steps of depth; 0: no proxies */
   uint64_t walk_most; /* Gaussians at one depth from which on a window is walked part by part; 0: never is */
 };
 
@@ -584,6 +595,7 @@ struct pipegs_configuration {
   uint32_t tight_boxes; /* 1: a node holds the box around its ellipsoids */
   uint32_t overflow; /* 1: the overflow area is used */
   uint32_t sh_degree; /* highest SH degree */
+  uint32_t coded; /* 1: records of Gaussians are codes of 48 bytes */
   uint32_t table_cells; /* entries of the table of cells */
   uint32_t pos_w; /* offset of a mean */
   uint32_t quat_w; /* quaternion component */
@@ -616,6 +628,8 @@ struct pipegs_configuration {
   uint32_t parts; /* of a window, each with splats of its own */
   uint32_t alpha_memory_lines; /* of memory for a region's alphas, 0: none lie there */
   uint32_t list_entry_w; /* entry of a list of a window, 0: no lists */
+  uint32_t rest_w; /* raster.rest, all of it fraction; 0: absent */
+  uint32_t lod_bits; /* a step of the field lod is 2^-lod_bits octaves; 0: absent */
 };
 
 /* FIELD(name, offset, lowest bit, width) for each field of struct pipegs_configuration. */
@@ -634,6 +648,7 @@ struct pipegs_configuration {
   FIELD(tight_boxes, PIPEGS_CONFIG_POINT, 10, 1) \
   FIELD(overflow, PIPEGS_CONFIG_POINT, 11, 1) \
   FIELD(sh_degree, PIPEGS_CONFIG_POINT, 16, 2) \
+  FIELD(coded, PIPEGS_CONFIG_POINT, 18, 1) \
   FIELD(table_cells, PIPEGS_CONFIG_POINT, 20, 12) \
   FIELD(pos_w, PIPEGS_CONFIG_GAUSSIAN, 0, 8) \
   FIELD(quat_w, PIPEGS_CONFIG_GAUSSIAN, 8, 8) \
@@ -665,6 +680,8 @@ struct pipegs_configuration {
   FIELD(regions, PIPEGS_CONFIG_OVERFLOW, 0, 16) \
   FIELD(parts, PIPEGS_CONFIG_OVERFLOW, 16, 4) \
   FIELD(alpha_memory_lines, PIPEGS_CONFIG_OVERFLOW, 20, 4) \
-  FIELD(list_entry_w, PIPEGS_CONFIG_OVERFLOW, 24, 8)
+  FIELD(list_entry_w, PIPEGS_CONFIG_OVERFLOW, 24, 8) \
+  FIELD(rest_w, PIPEGS_CONFIG_LESS, 0, 8) \
+  FIELD(lod_bits, PIPEGS_CONFIG_LESS, 8, 8)
 
 #endif

@@ -10,12 +10,16 @@
 #include <stdexcept>
 #include <utility>
 
+#include "cpp_model/dopu/nearest/dopu_lod.hpp"
 #include "cpp_model/fixed.hpp"
 #include "cpp_model/float/parallel.hpp"
 #include "cpp_model/pack/pack_cells.hpp"
 #include "cpp_model/pack/pack_nodes.hpp"
 #include "cpp_model/pack/pack_order.hpp"
+#include "cpp_model/pack/pack_proxies.hpp"
 #include "cpp_model/pack/pack_quantize.hpp"
+#include "cpp_model/pu/color/pu_color_fetch.hpp"
+#include "cpp_model/pu/front/pu_decode.hpp"
 #include "scenes/input_error.hpp"
 
 namespace pipegs {
@@ -24,9 +28,10 @@ namespace {
 constexpr double kOutlier = 1024;  // a mean this many scene radii away is left out: it would eat everybody's bits
 constexpr double kWindowAngle =
     0.2;  // side of a window as the packing order sees it, of the scene's radius; docs/units/dopu.md
-constexpr size_t kBlock = 16384;      // Gaussians of one piece of parallel work
-constexpr size_t kChunkBlock = 1024;  // chunks of one
-constexpr size_t kLargeCell = 65536;  // Gaussians of a cell that several threads share
+constexpr double kProxyGrowth = 1.01;  // of the windows that open a group, for its proxies; docs/units/dopu.md
+constexpr size_t kBlock = 16384;       // Gaussians of one piece of parallel work
+constexpr size_t kChunkBlock = 1024;   // chunks of one
+constexpr size_t kLargeCell = 65536;   // Gaussians of a cell that several threads share
 
 void add(PackCounts& sum, const PackCounts& part) {
   sum.non_finite += part.non_finite;
@@ -93,6 +98,30 @@ SceneBox robust_box(const Scene& scene, const std::vector<uint32_t>& kept) {
   });
   return box;
 }
+
+// Side of a window where it looks into the box, scene units.
+double window_side(const SceneBox& box) {
+  double diagonal = 0;
+  for (int axis = 0; axis < 3; ++axis) diagonal += (box.high[axis] - box.low[axis]) * (box.high[axis] - box.low[axis]);
+  return kWindowAngle * std::sqrt(diagonal) / 2;
+}
+
+// What a slot holds: a Gaussian of the scene, or of the proxies behind them.
+struct Source {
+  const Scene& scene;
+  const Proxies& proxies;
+
+  struct Of {
+    const Scene& scene;
+    uint32_t index;   // there
+    uint32_t number;  // of the scene's Gaussian that it is, or that weighs most in it
+  };
+  Of at(uint32_t index) const {
+    const auto proxy = static_cast<int64_t>(index) - static_cast<int64_t>(scene.gaussians.size());
+    if (proxy < 0) return {scene, index, index};
+    return {proxies.scene, static_cast<uint32_t>(proxy), proxies.heaviest[static_cast<size_t>(proxy)]};
+  }
+};
 
 WorldPoint world_point(const Scene& scene, uint32_t index, int scene_exponent) {
   WorldPoint point;
@@ -175,85 +204,147 @@ void order_cells(const Config& config, float window, CellItems& cells) {
                [&](size_t i) { pack_order(all[i], chunk, group, window, reach, all[i].size() > kLargeCell ? 0 : 1); });
 }
 
-// Cuts the cells into chunks: of these only where they begin and how many they hold. Slots are given to Gaussians.
-void cut_chunks(CellItems& cells, PackedScene& packed) {
-  const size_t chunk = static_cast<size_t>(packed.config.chunk), group = static_cast<size_t>(packed.config.group);
-  const size_t most = cells.items.size() / chunk + cells.first.size();
+// Cuts the cells into chunks: of these only where they begin and how many they hold. Slots are given to Gaussians, and
+// behind those of a group to its proxies, whose number is the result.
+size_t cut_chunks(CellItems& cells, PackedScene& packed) {
+  const Config& config = packed.config;
+  const size_t chunk = static_cast<size_t>(config.chunk), group = chunk * static_cast<size_t>(config.group),
+               most = (cells.items.size() / chunk + cells.first.size()) * (config.lod ? 5 : 4) / 4,
+               aligned = static_cast<size_t>(std::max(2, config.gaussians_per_line()));  // a chunk begins a line
   packed.chunks.reserve(most);
-  packed.slot_to_index.reserve(cells.items.size() + most);
+  packed.slot_to_index.reserve((cells.items.size() + most * (aligned - 1)) * (config.lod ? 5 : 4) / 4);
+  const auto cut = [&](size_t count, auto&& index) {  // a chunk of so many: index(0), index(1) ...
+    packed.chunks.push_back({.first = packed.slot_to_index.size(), .count = count});
+    for (size_t i = 0; i < count; ++i) packed.slot_to_index.push_back(index(i));
+    while (packed.slot_to_index.size() % aligned != 0) packed.slot_to_index.push_back(kPadding);
+  };
+  size_t proxies = 0;  // cut so far
   for (size_t n = 0; n + 1 < cells.first.size(); ++n) {
     const std::span<const OrderItem> items = cells.cell(n);
-    Node cell;
-    cell.first = packed.groups.size();
-    for (size_t begin = 0; begin < items.size(); begin += chunk) {
-      if (begin % (chunk * group) == 0) packed.groups.emplace_back().first = packed.chunks.size();
-      Node& node = packed.chunks.emplace_back();
-      node.first = packed.slot_to_index.size();
-      node.count = std::min(chunk, items.size() - begin);
-      for (const OrderItem& item : items.subspan(begin, node.count)) packed.slot_to_index.push_back(item.index);
-      if (packed.slot_to_index.size() % 2 != 0) packed.slot_to_index.push_back(kPadding);  // chunks start at even slots
-      ++packed.groups.back().count;
+    Node cell{.first = packed.groups.size()};
+    for (size_t begin = 0; begin < items.size(); begin += group) {
+      const std::span<const OrderItem> own = items.subspan(begin, std::min(group, items.size() - begin));
+      Node& node = packed.groups.emplace_back(Node{.first = packed.chunks.size()});
+      size_t few = 0;  // its proxies
+      for (size_t at = 0; at < own.size(); at += chunk, ++node.count) {
+        const size_t count = std::min(chunk, own.size() - at);
+        cut(count, [&](size_t i) { return own[at + i].index; });
+        few += chunk_proxies(count);
+      }
+      if (!config.lod) continue;
+      for (const size_t end = proxies + few; proxies < end;) {
+        const size_t count = std::min(chunk, end - proxies);
+        cut(count, [&](size_t i) { return static_cast<uint32_t>(packed.scene_gaussians + proxies + i); });
+        proxies += count;
+      }
     }
     cell.count = packed.groups.size() - cell.first;
     packed.cells.push_back(cell.count == 0 ? Node{} : cell);
   }
+  return proxies;
+}
+
+// The proxies of all groups, and when they will do.
+void fill_proxies(const Scene& scene, PackedScene& packed, Proxies& proxies) {
+  parallel_for(packed.groups.size(), 0, [&](size_t g) {
+    Node& group = packed.groups[g];
+    std::vector<std::vector<uint32_t>> chunks;
+    for (uint64_t i = group.first; i < group.first + group.count; ++i) {
+      const auto first = packed.slot_to_index.begin() + static_cast<std::ptrdiff_t>(packed.chunks[i].first);
+      chunks.emplace_back(first, first + static_cast<std::ptrdiff_t>(packed.chunks[i].count));
+    }
+    const size_t first = packed.slot_to_index[packed.chunks[group.first + group.count].first];
+    group.error =
+        make_proxies(packed.config, scene, chunks, packed.scene_exponent, first - packed.scene_gaussians, proxies);
+  });
 }
 
 // One chunk's node and its records.
-void fill_chunk(const Scene& scene, PackedScene& packed, Node& chunk, PackCounts& counts) {
-  std::vector<WorldPoint> means(chunk.count);
-  std::vector<GaussianRecord> records(chunk.count);
-  for (size_t i = 0; i < means.size(); ++i) {
-    const uint32_t index = packed.slot_to_index[chunk.first + i];
-    ActivatedGaussian gaussian;
-    activate(scene, index, gaussian);
-    means[i] = world_point(scene, index, packed.scene_exponent);
-    records[i] = quantize(packed.config, scene, gaussian, index, packed.scene_exponent, counts);
-  }
+void fill_chunk(const Source& source, PackedScene& packed, Node& chunk, PackCounts& counts) {
+  const Config& config = packed.config;
   const size_t first = chunk.first;
-  chunk = make_chunk(packed.config, means, records);
+  std::vector<WorldPoint> means(chunk.count);
+  std::vector<ActivatedGaussian> gaussians(chunk.count);
+  std::vector<GaussianRecord> records(chunk.count);
+  const auto of = [&](size_t i) { return source.at(packed.slot_to_index[first + i]); };
+  for (size_t i = 0; i < means.size(); ++i) {
+    activate(of(i).scene, of(i).index, gaussians[i]);
+    means[i] = world_point(of(i).scene, of(i).index, packed.scene_exponent);
+  }
+  std::vector<GaussianCode> codes(config.coded() ? chunk.count : 0);
+  const uint64_t scale_exp = config.coded() ? chunk_scale_exp(config, gaussians, packed.scene_exponent) : 0;
+  for (size_t i = 0; i < means.size(); ++i) {
+    if (config.coded()) {
+      codes[i] = encode(config, of(i).scene, gaussians[i], of(i).index, packed.scene_exponent, scale_exp, counts);
+      records[i] = pu_decode(config, codes[i], scale_exp, first + i);
+    } else {
+      records[i] = quantize(config, of(i).scene, gaussians[i], of(i).index, packed.scene_exponent, counts);
+      records[i].index = of(i).number;
+    }
+  }
+  chunk = make_chunk(config, means, records, scale_exp);
   chunk.first = first;
   for (size_t i = 0; i < records.size(); ++i) packed.gaussians.set(first + i, records[i]);
+  for (size_t i = 0; i < codes.size(); ++i) {
+    set_offsets(config, records[i], codes[i]);
+    packed.codes.set(first + i, codes[i]);
+  }
 }
 
-// Gives slots and chunks to the Gaussians that are kept; frees what only the order needs.
-void order_and_cut(const Scene& scene, std::vector<uint32_t> kept, const SceneBox& box, PackedScene& packed) {
+// Gives slots and chunks to the Gaussians that are kept; frees what only the order needs. The number of proxies.
+size_t order_and_cut(const Scene& scene, std::vector<uint32_t> kept, double window, PackedScene& packed) {
   CellItems cells = cell_items(scene, kept, packed);
   kept = {};
-  double diagonal = 0;
-  for (int axis = 0; axis < 3; ++axis) diagonal += (box.high[axis] - box.low[axis]) * (box.high[axis] - box.low[axis]);
-  order_cells(packed.config, static_cast<float>(kWindowAngle * std::sqrt(diagonal) / 2), cells);
-  cut_chunks(cells, packed);
+  order_cells(packed.config, static_cast<float>(window), cells);
+  return cut_chunks(cells, packed);
 }
 
-void fill_nodes(const Scene& scene, PackedScene& packed) {
+// The node above the first `count` of its children, and what it knows already.
+Node parent_of(const Config& config, const Node& node, const std::vector<Node>& children, uint64_t count) {
+  const auto first = children.begin() + static_cast<std::ptrdiff_t>(node.first);
+  Node parent = make_parent(config, std::span(first, count));
+  parent.first = node.first, parent.count = node.count, parent.error = node.error;
+  return parent;
+}
+
+// All that may be drawn for a group is in its box. If proxies widen it so that many more windows (world units) open it,
+// they are not used.
+Node group_of(const Config& config, const Node& group, const std::vector<Node>& chunks, double window) {
+  Node own = parent_of(config, group, chunks, group.count);
+  if (!config.lod || group.error == dopu_lod_never(config)) return own;
+  const Node both = parent_of(config, group, chunks, group.count + dopu_lod_chunks(config, group.count));
+  if (hull_area(config, both, window) <= kProxyGrowth * hull_area(config, own, window)) return both;
+  own.error = dopu_lod_never(config);
+  return own;
+}
+
+void fill_nodes(const Source& source, double window, PackedScene& packed) {
+  const Config& config = packed.config;
   packed.gaussians.resize(packed.slot_to_index.size());
+  if (config.coded()) packed.codes.resize(packed.slot_to_index.size());
   for_blocks(packed.chunks.size(), kChunkBlock, packed.counts, [&](size_t begin, size_t end, PackCounts& counts) {
-    for (size_t i = begin; i < end; ++i) fill_chunk(scene, packed, packed.chunks[i], counts);
+    for (size_t i = begin; i < end; ++i) fill_chunk(source, packed, packed.chunks[i], counts);
   });
-  const auto fill_parents = [&](std::vector<Node>& parents, const std::vector<Node>& children) {
-    for (Node& node : parents) {
-      const std::span own(children.begin() + static_cast<std::ptrdiff_t>(node.first), node.count);
-      if (!own.empty()) node = make_parent(packed.config, own, node.first);
-    }
-  };
-  fill_parents(packed.groups, packed.chunks);
-  if (packed.config.has_watermarks()) {
-    packed.cells = cell_table(packed.cells, packed.groups, static_cast<size_t>(packed.config.table_cells()));
+  const double side = std::ldexp(window, -packed.scene_exponent);
+  for (Node& group : packed.groups) group = group_of(config, group, packed.chunks, side);
+  if (config.has_watermarks())
+    packed.cells = cell_table(packed.cells, packed.groups, static_cast<size_t>(config.table_cells()));
+  for (Node& cell : packed.cells) {
+    if (cell.count != 0) cell = parent_of(config, cell, packed.groups, cell.count);
   }
-  fill_parents(packed.cells, packed.groups);
 }
 
-void pack_colors(const Scene& scene, PackedScene& packed) {
+void pack_colors(const Source& source, PackedScene& packed) {
   if (packed.sh_degree == 0) return;
-  const size_t per_line = static_cast<size_t>(color_slots_per_line(packed.sh_degree)),
+  const size_t per_line = static_cast<size_t>(color_slots_per_line(packed.config, packed.sh_degree)),
                slots = packed.slot_to_index.size();
   packed.colors.assign((slots + per_line - 1) / per_line, MemoryLine{});
   for_blocks(slots, kBlock, packed.counts, [&](size_t begin, size_t end, PackCounts& counts) {
     for (size_t slot = begin; slot < end; ++slot) {
       if (packed.slot_to_index[slot] == kPadding) continue;
-      quantize_colors(packed.config, scene, packed.sh_degree, packed.slot_to_index[slot],
-                      packed.colors[slot / per_line].data(), static_cast<int>(slot % per_line) * 128, counts);
+      const Source::Of of = source.at(packed.slot_to_index[slot]);
+      quantize_colors(packed.config, of.scene, packed.sh_degree, of.index, packed.colors[slot / per_line].data(),
+                      color_place(packed.config, packed.sh_degree, slot), counts);
     }
   });
 }
@@ -280,15 +371,29 @@ void check_sizes(const Config& config, const Scene& scene, const PackedScene& pa
     throw InputError(fmt::format("scene '{}': {} slots, fewer than {} fit", scene.name, packed.gaussians.size(),
                                  uint64_t{1} << config.slot_w()));
   }
+  // The index of a code is its slot.
+  if (config.coded() && packed.gaussians.size() > uint64_t{1} << config.index_w) {
+    throw InputError(fmt::format("scene '{}': {} slots, at most {} fit the {}-bit index", scene.name,
+                                 packed.gaussians.size(), uint64_t{1} << config.index_w, config.index_w));
+  }
   for (const Node& cell : packed.cells) {
-    if (cell.count >> config.count_w() != 0) {
+    if (cell.count >> config.children_w() != 0) {
       throw InputError(fmt::format("scene '{}': {} groups in one cell, fewer than {} fit", scene.name, cell.count,
-                                   uint64_t{1} << config.count_w()));
+                                   uint64_t{1} << config.children_w()));
     }
   }
 }
 
 }  // namespace
+
+std::vector<Node> PackedScene::own_chunks() const {
+  std::vector<Node> own;
+  for (const Node& group : groups) {
+    const auto first = chunks.begin() + static_cast<std::ptrdiff_t>(group.first);
+    own.insert(own.end(), first, first + static_cast<std::ptrdiff_t>(group.count));
+  }
+  return own;
+}
 
 PackedScene pack_scene(const Config& config, const Scene& scene, double coordinate_bound) {
   PackedScene packed;
@@ -318,10 +423,20 @@ PackedScene pack_scene(const Config& config, const Scene& scene, double coordina
   std::frexp(bound, &exponent);
   packed.scene_exponent = exponent - (config.world_w - 3);
   packed.grid = make_grid(config, box, packed.scene_exponent);
-  order_and_cut(scene, std::move(kept), box, packed);
-  fill_nodes(scene, packed);
+  const double window = window_side(box);
+  Proxies proxies;
+  const Source source{scene, proxies};
+  packed.counts.proxies = order_and_cut(scene, std::move(kept), window, packed);
+  if (config.lod) {
+    proxies.resize(scene, packed.counts.proxies);
+    fill_proxies(scene, packed, proxies);
+  }
+  fill_nodes(source, window, packed);
   check_sizes(config, scene, packed);
-  pack_colors(scene, packed);
+  pack_colors(source, packed);
+  for (uint32_t& index : packed.slot_to_index) {
+    if (index != kPadding) index = source.at(index).number;
+  }
   packed.layout = make_layout(packed);
   return packed;
 }

@@ -39,7 +39,7 @@ struct GridBox {
 };
 
 struct PackCounts {
-  uint64_t packed = 0;
+  uint64_t packed = 0, proxies = 0;
   uint64_t non_finite = 0, zero_quaternion = 0, transparent = 0, out_of_range = 0;        // left out
   uint64_t saturated_scale = 0, saturated_base = 0, saturated_sh = 0, flushed_scale = 0;  // packed, a field clipped
 };
@@ -51,12 +51,21 @@ struct PackedScene {
   int sh_degree = 0;                        // of the packed colours: the scene's, at most the configuration's
   std::vector<Node> cells, groups, chunks;  // cell -> groups -> chunks -> Gaussians
   NarrowTable<GaussianRecord> gaussians;    // by slot
-  std::vector<uint32_t> slot_to_index;      // index in the scene, kPadding for an empty slot
-  size_t scene_gaussians = 0;               // of the scene, those left out included
-  std::vector<MemoryLine> colors;           // SH coefficients, degree 1: four slots in a line, else one
+  NarrowTable<GaussianCode> codes;          // as they lie in memory, if coded: gaussians holds what they stand for
+  std::vector<uint32_t> slot_to_index;  // index in the scene (of a proxy: of what weighs most), kPadding: empty slot
+  size_t scene_gaussians = 0;           // of the scene, those left out included
+  std::vector<MemoryLine> colors;       // SH coefficients, color_slots_per_line of them in a line
   GridBox grid;
   MemoryLayout layout;
   PackCounts counts;
+
+  // Those that hold Gaussians of the scene, without proxies.
+  std::vector<Node> own_chunks() const;
+  // In the scene, of the index by which the machine orders Gaussians of one depth.
+  uint32_t scene_index(uint64_t index) const {
+    const bool slot = config.coded() && index < slot_to_index.size();
+    return slot ? slot_to_index[index] : static_cast<uint32_t>(index);
+  }
 };
 
 struct MemoryImage {

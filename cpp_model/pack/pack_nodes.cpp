@@ -66,12 +66,14 @@ void set_extents(const Config& config, const Extents& half, Extents down, Extent
 }
 
 // Centre, offset exponent, offsets of the records and half extents of one chunk, all from the rounded means.
-Node make_chunk(const Config& config, std::span<const WorldPoint> means, std::span<GaussianRecord> records) {
+Node make_chunk(const Config& config, std::span<const WorldPoint> means, std::span<GaussianRecord> records,
+                uint64_t scale_exp) {
   Node node;
   int64_t* const center[3] = {&node.center_x, &node.center_y, &node.center_z};
   int64_t GaussianRecord::*const offset[3] = {&GaussianRecord::offset_x, &GaussianRecord::offset_y,
                                               &GaussianRecord::offset_z};
-  const int64_t most = (int64_t{1} << (config.pos_w - 1)) - 1;
+  const int below = config.coded() ? config.pos_w - Config::offset_code_w() : 0;  // bits of an offset that are zero
+  const int64_t most = (int64_t{1} << (config.pos_w - 1 - below)) - 1;
   int64_t widest = 0;
   for (size_t axis = 0; axis < 3; ++axis) {
     int64_t low = means[0][axis], high = low;
@@ -82,13 +84,14 @@ Node make_chunk(const Config& config, std::span<const WorldPoint> means, std::sp
     *center[axis] = shift_floor(low + high, 1);
     widest = std::max(widest, high - *center[axis]);  // high is at least as far as low
   }
-  while (shift_round(widest, static_cast<int>(node.offset_exp)) > most) ++node.offset_exp;
+  while (shift_round(widest, static_cast<int>(node.offset_exp) + below) > most) ++node.offset_exp;
   Extents half = {0, 0, 0}, down = {0, 0, 0}, up = {0, 0, 0};
   for (size_t i = 0; i < means.size(); ++i) {
     const std::array<double, 3> extent =
         config.tight_boxes ? ellipsoid_extents(config, records[i]) : std::array<double, 3>{};
     for (size_t axis = 0; axis < 3; ++axis) {
-      const int64_t rounded = shift_round(means[i][axis] - *center[axis], static_cast<int>(node.offset_exp));
+      const int64_t rounded = shift_round(means[i][axis] - *center[axis], static_cast<int>(node.offset_exp) + below) *
+                              (int64_t{1} << below);
       records[i].*offset[axis] = rounded;
       const int64_t away = std::abs(rounded) << node.offset_exp;
       const double farthest = std::min(std::ceil(extent[axis]), std::ldexp(1.0, config.world_w));
@@ -101,12 +104,12 @@ Node make_chunk(const Config& config, std::span<const WorldPoint> means, std::sp
   set_extents(config, half, down, up, node);
   double scale = 0;
   for (const GaussianRecord& record : records) scale = std::max(scale, effective_scale(config, record));
-  node.scale_max = encode_scale(config, scale * (1 + 1e-9), true);
+  node.scale_max = std::max(encode_scale(config, scale * (1 + 1e-9), true), scale_exp << config.scale_m_w);
   node.count = means.size();
   return node;
 }
 
-Node make_parent(const Config& config, std::span<const Node> children, uint64_t first) {
+Node make_parent(const Config& config, std::span<const Node> children) {
   Node node;
   int64_t* const center[3] = {&node.center_x, &node.center_y, &node.center_z};
   int64_t Node::*const centers[3] = {&Node::center_x, &Node::center_y, &Node::center_z};
@@ -133,9 +136,20 @@ Node make_parent(const Config& config, std::span<const Node> children, uint64_t 
   }
   set_extents(config, half, down, up, node);
   for (const Node& child : children) node.scale_max = std::max(node.scale_max, child.scale_max);
-  node.first = first;
-  node.count = children.size();
   return node;
+}
+
+double hull_area(const Config& config, const Node& node, double around) {
+  const double unit = std::ldexp(2.0, static_cast<int>(node.half_exp));
+  // Without hulls the box is that of the means, and its Gaussians reach as far as the largest scale does.
+  const double reach =
+      config.tight_boxes ? 0 : std::sqrt(2 * std::log(config.alpha_cut)) * scale_value(config, node.scale_max);
+  const auto side = [&](uint64_t half, uint64_t down, uint64_t up) {
+    return around + 2 * reach + unit * static_cast<double>(config.tight_boxes ? down + up : half);
+  };
+  const double x = side(node.half_x, node.down_x, node.up_x), y = side(node.half_y, node.down_y, node.up_y),
+               z = side(node.half_z, node.down_z, node.up_z);
+  return x * y + y * z + z * x;
 }
 
 }  // namespace pipegs

@@ -25,10 +25,15 @@ struct SceneBox {
 // The finest scale (FocalW bits, rounded down) at which the cells still cover the box along each axis.
 GridBox make_grid(const Config& config, const SceneBox& box, int scene_exponent);
 
-// The node of one chunk; writes the offsets of its records.
-Node make_chunk(const Config& config, std::span<const WorldPoint> means, std::span<GaussianRecord> records);
+// The node of one chunk; writes the offsets of its records. If coded these are multiples of the codes' unit, and
+// scale_max has the exponent `scale_exp`.
+Node make_chunk(const Config& config, std::span<const WorldPoint> means, std::span<GaussianRecord> records,
+                uint64_t scale_exp = 0);
 
-// The box around the chunks of a group or the groups of a cell; `first` is the number of the first of them.
-Node make_parent(const Config& config, std::span<const Node> children, uint64_t first);
+// Half the surface of a box as wide as what a node may draw and `around` more along each axis, world units squared.
+double hull_area(const Config& config, const Node& node, double around);
+
+// The box around the chunks of a group or the groups of a cell.
+Node make_parent(const Config& config, std::span<const Node> children);
 
 }  // namespace pipegs

@@ -7,6 +7,8 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "cpp_model/fixed.hpp"
+#include "cpp_model/pu/color/sh_code.hpp"
+#include "cpp_model/pu/front/pu_decode.hpp"
 
 namespace pipegs {
 namespace {
@@ -21,9 +23,9 @@ int64_t to_signed(double value, int bits, uint64_t& clipped) {
   return static_cast<int64_t>(std::clamp(rounded, -high - 1, high));
 }
 
-// How far a Gaussian reaches, of what an opaque one does.
-double reach_of_opacity(const Config& config, const GaussianRecord& record) {
-  const double log2_opacity = -std::ldexp(static_cast<double>(record.opacity), -config.opacity_f);
+// How far a Gaussian reaches, of what an opaque one does; `opacity` is the record's field.
+double reach_of_opacity(const Config& config, uint64_t opacity) {
+  const double log2_opacity = -std::ldexp(static_cast<double>(opacity), -config.opacity_f);
   return std::sqrt(std::max(0.0, 1 + log2_opacity / std::log2(config.alpha_cut)));
 }
 
@@ -56,7 +58,7 @@ uint64_t encode_opacity(const Config& config, double opacity) {
 
 double effective_scale(const Config& config, const GaussianRecord& record) {
   const double widest = scale_value(config, std::max({record.scale_0, record.scale_1, record.scale_2}));
-  return widest * reach_of_opacity(config, record);
+  return widest * reach_of_opacity(config, record.opacity);
 }
 
 std::array<double, 3> ellipsoid_extents(const Config& config, const GaussianRecord& record) {
@@ -68,7 +70,7 @@ std::array<double, 3> ellipsoid_extents(const Config& config, const GaussianReco
   const glm::dmat3 axes = glm::mat3_cast(rotation);  // columns
   const std::array<double, 3> scale = {scale_value(config, record.scale_0), scale_value(config, record.scale_1),
                                        scale_value(config, record.scale_2)};
-  const double reach = std::sqrt(2 * std::log(config.alpha_cut)) * reach_of_opacity(config, record);
+  const double reach = std::sqrt(2 * std::log(config.alpha_cut)) * reach_of_opacity(config, record.opacity);
   const double widest = *std::max_element(scale.begin(), scale.end());
   std::array<double, 3> extents;
   for (int axis = 0; axis < 3; ++axis) {
@@ -122,24 +124,116 @@ GaussianRecord quantize(const Config& config, const Scene& scene, const Activate
   return record;
 }
 
-int color_slots_per_line(int sh_degree) { return sh_degree == 1 ? 4 : 1; }
+namespace {
+
+int opacity_code(double opacity) { return static_cast<int>(std::lround(std::min(opacity, 1.0) * kMostOpacity)); }
+
+uint64_t scale_code(const Config& config, double world, uint64_t scale_exp, PackCounts& counts) {
+  if (!(world > 0)) return kNoScale;
+  const double top = static_cast<double>(scale_exp) + kScaleHeadroom - kScaleBias,
+               code = std::round(kScaleSteps * (top - std::log2(world)));
+  counts.saturated_scale += code < 0 || code > kNoScale - 1;
+  const auto field = static_cast<uint64_t>(std::clamp(code, 0.0, kNoScale - 1.0));
+  counts.flushed_scale += decode_scale(config, field, scale_exp) == 0;
+  return field;
+}
+
+}  // namespace
+
+uint64_t chunk_scale_exp(const Config& config, std::span<const ActivatedGaussian> gaussians, int scene_exponent) {
+  constexpr double kRounded = 1.03;  // half a step of a sixteenth of an octave, and the field's own rounding
+  double widest = 0, reach = 0;      // of a Gaussian, and of what it does with its opacity
+  for (const ActivatedGaussian& gaussian : gaussians) {
+    const double scale = std::ldexp(std::max({gaussian.scale.x, gaussian.scale.y, gaussian.scale.z}), -scene_exponent);
+    const uint64_t opacity = opacity_of_code(config, opacity_code(gaussian.opacity));
+    widest = std::max(widest, scale);
+    reach = std::max(reach, scale * reach_of_opacity(config, opacity));
+  }
+  const auto exponent = [&](double scale) { return encode_scale(config, scale * kRounded, true) >> config.scale_m_w; };
+  return std::max(exponent(reach), exponent(widest * std::exp2(1 - kScaleHeadroom)));
+}
+
+GaussianCode encode(const Config& config, const Scene& scene, const ActivatedGaussian& gaussian, uint32_t index,
+                    int scene_exponent, uint64_t scale_exp, PackCounts& counts) {
+  GaussianCode code;
+  glm::dvec4 rotation = gaussian.rotation;
+  int axis = 0;
+  for (int i = 1; i < 4; ++i) axis = std::abs(rotation[i]) > std::abs(rotation[axis]) ? i : axis;
+  if (rotation[axis] < 0) rotation = -rotation;
+  uint64_t clipped = 0;  // never: no other component is above sqrt(1/2)
+  int64_t* const turns[3] = {&code.turn_0, &code.turn_1, &code.turn_2};
+  for (int i = 0, next = 0; i < 4; ++i) {
+    if (i == axis) continue;
+    const double unit = std::ldexp(rotation[i] * std::sqrt(2.0), Config::turn_code_w() - 1);
+    *turns[next++] = std::clamp<int64_t>(to_signed(unit, Config::turn_code_w(), clipped), -255, 255);
+  }
+  code.axis = static_cast<uint64_t>(axis);
+  const auto scale = [&](int i) {
+    return scale_code(config, std::ldexp(gaussian.scale[i], -scene_exponent), scale_exp, counts);
+  };
+  code.scale_0 = scale(0);
+  code.scale_1 = scale(1);
+  code.scale_2 = scale(2);
+  code.opacity = static_cast<uint64_t>(opacity_code(gaussian.opacity));
+  const auto base = [&](int channel) {
+    const double color = kShBand0 * static_cast<double>(scene.gaussians[index].sh_dc[channel]);
+    return to_signed(std::ldexp(color, Config::base_code_w() - 1), Config::base_code_w(), counts.saturated_base);
+  };
+  code.base_r = base(0);
+  code.base_g = base(1);
+  code.base_b = base(2);
+  return code;
+}
+
+namespace {
+
+float largest_of(const float* coefficients, int begin, int end) {
+  float largest = 0;
+  for (int i = begin; i < end; ++i) largest = std::max(largest, std::abs(coefficients[i]));
+  return largest;
+}
+
+// The smallest exponent at which mantissas of `width` bits, the upper ones of ShMW, hold what is as large as that.
+int sh_exponent(const Config& config, float largest, int width) {
+  if (!(largest > 0)) return 0;
+  const int highest = (1 << config.sh_e_w) - 1, limit = (1 << (width - 1)) - 1;
+  int length;
+  std::frexp(largest, &length);  // largest < 2^length: mantissa < 2^(width - 1) at e = length + 27
+  const int exponent = std::clamp(length + 27, 0, highest);
+  const double mantissa = std::ldexp(static_cast<double>(largest), 26 + width - exponent);
+  return exponent + (std::round(mantissa) > limit && exponent < highest);
+}
+
+// The codes of SH coefficients (sh_code.hpp): as for the whole mantissas, but each band has bits of its own.
+void encode_colors(const Config& config, const float* coefficients, int sh_degree, uint32_t* line, int at,
+                   PackCounts& counts) {
+  int exponent = 0, own[kMaxShDegree + 1] = {};
+  for (int band = 1; band <= sh_degree; ++band) {
+    const float largest = largest_of(coefficients, sh_first(band), sh_first(band + 1));
+    own[band] = sh_exponent(config, largest, sh_code_w(band));
+    exponent = std::max(exponent, own[band]);
+  }
+  put_bits(line, at, config.sh_e_w, static_cast<uint64_t>(exponent));
+  for (int band = 1; band <= sh_degree; ++band) {
+    const int width = sh_code_w(band),
+              drop = sh_degree == 1 ? 0 : std::min(exponent - own[band], sh_most_drop(config, band));
+    if (sh_degree > 1) put_bits(line, at + sh_drop_at(config, band), Config::sh_drop_w(), static_cast<uint64_t>(drop));
+    for (int i = sh_first(band); i < sh_first(band + 1); ++i) {
+      const double mantissa = std::ldexp(static_cast<double>(coefficients[i]), 26 + width + drop - exponent);
+      const int64_t field = to_signed(mantissa, width, counts.saturated_sh);
+      put_bits(line, at + sh_code_at(config, sh_degree, i), width, static_cast<uint64_t>(field));
+    }
+  }
+}
+
+}  // namespace
 
 void quantize_colors(const Config& config, const Scene& scene, int sh_degree, uint32_t index, uint32_t* line, int at,
                      PackCounts& counts) {
   const float* coefficients = sh_rest_of(scene, index);
+  if (config.coded()) return encode_colors(config, coefficients, sh_degree, line, at, counts);
   const int values = 3 * sh_rest_count(sh_degree), mantissa_w = config.sh_m_w;
-  float largest = 0;
-  for (int i = 0; i < values; ++i) largest = std::max(largest, std::abs(coefficients[i]));
-  // The smallest exponent whose largest mantissa holds every coefficient.
-  const int highest = (1 << config.sh_e_w) - 1, limit = (1 << (mantissa_w - 1)) - 1;
-  int exponent = 0;
-  if (largest > 0) {
-    int length;
-    std::frexp(largest, &length);  // largest < 2^length: mantissa < 2^(mantissa_w - 1) at e = length + 27
-    exponent = std::clamp(length + 27, 0, highest);
-    const double mantissa = std::ldexp(static_cast<double>(largest), 26 + mantissa_w - exponent);
-    if (std::round(mantissa) > limit && exponent < highest) ++exponent;
-  }
+  const int exponent = sh_exponent(config, largest_of(coefficients, 0, values), mantissa_w);
   put_bits(line, at, config.sh_e_w, static_cast<uint64_t>(exponent));
   for (int i = 0; i < values; ++i) {
     const double mantissa = std::ldexp(static_cast<double>(coefficients[i]), 26 + mantissa_w - exponent);

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "cpp_model/config.hpp"
 #include "cpp_model/records.hpp"
@@ -38,8 +39,15 @@ GaussianRecord quantize_reach(const Config& config, const ActivatedGaussian& gau
 GaussianRecord quantize(const Config& config, const Scene& scene, const ActivatedGaussian& gaussian, uint32_t index,
                         int scene_exponent, PackCounts& counts);
 
-// Lines and slots of the colour table.
-int color_slots_per_line(int sh_degree);
+// With record = 48: the code of a Gaussian, all but the offsets. Adds to the counts of clipped fields. `scale_exp`: of
+// its chunk, see below.
+GaussianCode encode(const Config& config, const Scene& scene, const ActivatedGaussian& gaussian, uint32_t index,
+                    int scene_exponent, uint64_t scale_exp, PackCounts& counts);
+
+// The exponent that scale_max of a chunk with these Gaussians has, whichever way their scales are rounded: that of the
+// largest effective scale, or so much that the code of none is cut.
+uint64_t chunk_scale_exp(const Config& config, std::span<const ActivatedGaussian> gaussians, int scene_exponent);
+
 // Writes the SH coefficients of scene Gaussian `index` at bit `at` of the line.
 void quantize_colors(const Config& config, const Scene& scene, int sh_degree, uint32_t index, uint32_t* line, int at,
                      PackCounts& counts);

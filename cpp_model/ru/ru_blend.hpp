@@ -4,13 +4,17 @@
 // Paper   Eq. 2: C += c * alpha * T,  T *= 1 - alpha.
 // Idea    One product serves weight and update: w = T * alpha, T' = T - w. T plus the sum of all weights so stays
 //         exactly 1. INRIA's stop rule: when T' would fall below 1/TCut (1e-4) the pixel is done and this Gaussian is
-//         not blended.
+//         not blended. With a frame's `rest`: of a pixel whose T is below it the next Gaussian takes all, and the pixel
+//         is done: what is left is shown in that colour, which is mostly near that of what is hidden.
+// Error   of a pixel, by `rest`: less than rest times the difference of two colours.
 // Stream  alpha u0.AlphaW (0: no contribution), T u1.(TW-1), colour u2.(ColorW-2), accumulated colour u2.(RgbW-2).
 // Round   w and w * colour to nearest, ties up; the accumulated colour saturates at the top (counted; wraps if
 //         Saturation is 0).
 // RTL     rtl/ru/ru_blend.sv
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include "cpp_model/config.hpp"
@@ -18,11 +22,12 @@
 namespace pipegs {
 
 struct BlendConstants {
-  explicit BlendConstants(const Config& c)
+  explicit BlendConstants(const Config& c, uint64_t rest_of_frame = 0)
       : alpha_w(c.alpha_w),
         color_shift(c.t_w + c.color_w - c.rgb_w - 1),
         one(1u << (c.t_w - 1)),
-        stop(c.early_stop ? static_cast<uint32_t>(c.t_stop()) : 0),
+        rest(c.early_stop ? static_cast<uint32_t>(rest_of_frame) : 0),
+        stop(rest == 0 && c.early_stop ? static_cast<uint32_t>(c.t_stop()) : 0),
         rgb_max((1u << c.rgb_w) - 1),
         rgb_top(c.saturation ? rgb_max : 0),
         narrow(c.t_w - 1 + c.alpha_w <= 32 && c.t_w - 1 + c.color_w <= 32) {}
@@ -30,7 +35,8 @@ struct BlendConstants {
   int alpha_w;
   int color_shift;  // from the fraction of w * colour to that of the accumulated colour
   uint32_t one;     // T = 1
-  uint32_t stop;    // smallest T that may remain; 0: none stops
+  uint32_t rest;    // Frame::raster.rest: below this T the next Gaussian takes all; 0: none does
+  uint32_t stop;    // without it: smallest T that may remain; 0: none stops
   uint32_t rgb_max;
   uint32_t rgb_top;  // bits that stay set above it: all when it saturates, none when it wraps
   bool narrow;       // every product fits 32 bits
@@ -43,6 +49,12 @@ struct PixelState {
   bool operator==(const PixelState&) const = default;
 };
 
+// Frame::raster.rest of a transmittance below 1, to nearest; of more than 0 at least the least that there is.
+inline uint64_t rest_of(const Config& config, double transmittance) {
+  const double unit = std::ldexp(1.0, config.rest_w());
+  return static_cast<uint64_t>(std::clamp(std::round(transmittance * unit), 1.0, unit - 1));
+}
+
 // What happened, summed over calls.
 struct BlendCounts {
   uint64_t blended = 0;    // pairs with alpha that changed their pixel's state
@@ -54,14 +66,15 @@ struct BlendCounts {
 inline uint32_t ru_blend(const BlendConstants& k, PixelState& pixel, uint32_t code, const uint32_t color[3],
                          BlendCounts* counts = nullptr) {
   if (pixel.done) return 0;
-  const auto weight = static_cast<uint32_t>((uint64_t{pixel.t} * code + (uint64_t{1} << (k.alpha_w - 1))) >> k.alpha_w);
-  const uint32_t t = pixel.t - weight;
-  if (t < k.stop) {
+  auto weight = static_cast<uint32_t>((uint64_t{pixel.t} * code + (uint64_t{1} << (k.alpha_w - 1))) >> k.alpha_w);
+  const bool last = pixel.t < k.rest && code != 0, over = pixel.t - weight < k.stop;
+  if (last || over) {
     pixel.done = true;
     if (counts != nullptr) ++counts->stopped;
-    return 0;
+    if (over) return 0;
+    weight = pixel.t;
   }
-  pixel.t = t;
+  pixel.t -= weight;
   for (int i = 0; i < 3; ++i) {
     const auto add =
         static_cast<uint32_t>((uint64_t{weight} * color[i] + (uint64_t{1} << (k.color_shift - 1))) >> k.color_shift);

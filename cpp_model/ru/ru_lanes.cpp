@@ -21,15 +21,16 @@ inline __attribute__((always_inline)) LoopResult blend_loop(const BlendConstants
                                                             const uint16_t* codes, const uint32_t* color) {
   const int alpha_shift = k.alpha_w, color_shift = k.color_shift;
   const Wide alpha_half = Wide{1} << (alpha_shift - 1), color_half = Wide{1} << (color_shift - 1);
-  const uint32_t stop_at = k.stop, rgb_max = k.rgb_max, rgb_top = k.rgb_top;
+  const uint32_t stop_at = k.stop, rest = k.rest, rgb_max = k.rgb_max, rgb_top = k.rgb_top;
   const Wide c0 = color[0], c1 = color[1], c2 = color[2];
   LoopResult sum{0, 0, 0, 0};
   for (int i = 0; i < kRegionPixels; ++i) {
     const uint32_t t = s.t[i], was_done = s.done[i];
     const auto product = static_cast<uint32_t>((Wide{t} * codes[i] + alpha_half) >> alpha_shift);
-    const uint32_t stops = t - product < stop_at ? 1u : 0u;
-    const uint32_t live = (was_done | stops) - 1u;  // all ones when the pixel takes the Gaussian
-    const uint32_t weight = product & live;
+    const uint32_t over = t - product < stop_at ? 1u : 0u, last = (t < rest ? 1u : 0u) & (codes[i] != 0 ? 1u : 0u);
+    const uint32_t stops = over | last;
+    const uint32_t live = (was_done | over) - 1u;  // all ones when the pixel takes the Gaussian
+    const uint32_t weight = (last != 0 ? t : product) & live;
     const uint32_t r = s.rgb[0][i] + static_cast<uint32_t>((Wide{weight} * c0 + color_half) >> color_shift);
     const uint32_t g = s.rgb[1][i] + static_cast<uint32_t>((Wide{weight} * c1 + color_half) >> color_shift);
     const uint32_t b = s.rgb[2][i] + static_cast<uint32_t>((Wide{weight} * c2 + color_half) >> color_shift);

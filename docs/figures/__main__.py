@@ -65,7 +65,7 @@ def fill():
     texts, nodes = markers.filled(entries)
     refused = list(markers.refused)
     for page, text in texts.items():
-        if text != (ROOT / page).read_text():
+        if text != markers.kept(page):
             (ROOT / page).write_text(text)
             print(f"{page}: filled")
     pruned = {name: entry | {"figures": nodes[name].pruned()} for name, entry in entries.items()}
@@ -92,7 +92,7 @@ def differing(entries):
     """Where pages differ from their data, and figures of nobody."""
     found = []
     for page, text in markers.filled(entries)[0].items():
-        content = (ROOT / page).read_text()
+        content = markers.kept(page)
         difference = markers.first_difference(page, content, text)
         found += [difference] if difference else []
         found += complaints(page, content) if page.suffix == ".md" else []

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Fills what lies between the markers of a page: <!--fig EXPRESSION-->text<!--/-->.
+"""Fills what lies between the markers of a page: <!--fig EXPRESSION-->text<!--/-->. Makes files that are figures only.
 
 The expression sees the tree of figures, the formats, and the functions of the page's own module,
 pages/FOLDER/NAME.py. A text of several lines (a table) stands alone between blank lines, as Markdown wants it. Code
@@ -140,22 +140,38 @@ def pages():
     return [Path("README.md"), *sorted(file.relative_to(ROOT) for file in found)]
 
 
-def energy_table():
-    """The text of energy.csv; what it is when it would mix what different sources measured."""
+def kept(path):
+    """What a file holds; nothing when there is none."""
+    return (ROOT / path).read_text() if (ROOT / path).exists() else ""
+
+
+def whole(path, make):
+    """The text of a file that holds figures only; what it is when it would mix what different sources measured."""
     entries_read.clear()
-    text = tables.energy()
+    try:
+        text = make()
+    except Exception as error:
+        raise PageError(f"{path}: {error}") from error
     states = mixed(frozenset(entries_read))
     if states:
-        refused.append(f"{tables.ENERGY}: mixes figures of {states}")
-    return (ROOT / tables.ENERGY).read_text() if states else text
+        refused.append(f"{path}: mixes figures of {states}")
+    return kept(path) if states else text
+
+
+def wholes():
+    """{file: what makes it}: energy.csv, and what modules of pages draw (DRAWN)."""
+    found = {Path(tables.ENERGY): tables.energy}
+    for module in filter(None, map(module_of, pages())):
+        found |= {Path("docs/images") / name: make for name, make in getattr(module, "DRAWN", {}).items()}
+    return found
 
 
 def filled(entries):
-    """({page: its text}, {name: node}): every page and energy.csv from these entries, and what was read of each."""
+    """({page: its text}, {name: node}): pages and whole files from these entries, and what was read of each."""
     forget()
     refused.clear()
     shown.clear()
     shown.update(entries)
     nodes = grow(entries)
     texts = {page: render(page, (ROOT / page).read_text()) for page in pages()}
-    return texts | {Path(tables.ENERGY): energy_table()}, nodes
+    return texts | {path: whole(path, make) for path, make in wholes().items()}, nodes

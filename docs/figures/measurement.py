@@ -24,7 +24,7 @@ CLASSES = {
 @dataclass(frozen=True)
 class Measurement:
     name: str  # FAMILY/ENTRY: the entry of docs/data/FAMILY.json
-    command: str  # as a page shows it; {scene}: the scene's file, cameras and view
+    command: str  # as a page shows it; {scene}: the scene's file, cameras and view; {levels}: all levels of detail
     by: tuple  # groups of sources.py that decide its figures; of `rtl` the modules of its machines
     scene: str = "own"
     view: int | None = 0  # None: the command names its views
@@ -43,7 +43,8 @@ class Measurement:
             scene = f"photos/{self.scene} "
         scene += f"--view {self.view} " if self.view is not None else ""
         shown = self.command.replace("{scene} ", "" if self.scene == "own" else scene)
-        return shown.replace("{reference}", "reference.png")
+        shown = shown.replace("{levels}", f"{self.scene}/ --cameras {self.scene}/cameras.json")
+        return shown.replace("{reference}", "reference.png").replace("{truth}", "truth")
 
     @property
     def kind(self):

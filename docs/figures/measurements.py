@@ -32,9 +32,19 @@ BUSY = ("own", "flowers")  # the least and the most bytes
 STEPPED = ("own", "statue")
 BUSES = (0, 256, 128)  # bits of the bus to memory beside the 512 of the default; 0: the core's own port
 FRAMES = 30  # of a walk
+BUDGETS = {"own": "400k", "terrace": "800k", "showroom": "1500k"}  # cycles of a frame of a walk
+LONG_WALKS = ("showroom",)  # half an hour
+BUDGETED = 120  # frames of such a walk
+PROXIES = (8, 16, 32)  # pixels: pictures of our own scene with proxies that differ by less
+PART = "336,208,384,304"  # of that picture
+COARSER = {  # of one scene: its own levels of detail, and proxies
+    **{f"level_{level}": f"--lod {level}" for level in (0, 1, 2)},
+    **{f"proxies_{pixels}": f"--set lod=1 --lod-pixels {pixels}" for pixels in (1, 2, 4, 8)},
+}
 TOGETHER = 6  # points with less of several things at once
+FRONTS = ("own", "terrace", "showroom")  # a small scene, a middle one, a large one
 KNOBS = ("coeff_f", "mantissa_w", "exp_linear", "alpha_w", "t_w", "color_w", "rgb_w", "alpha_cut", "t_cut", "depth_w",
-         "pos_w", "quat_w", "base_w", "record")
+         "pos_w", "quat_w", "base_w", "record", "codes", "proxies")
 STORES = {  # of the design point dop: its alpha stores
     "lines4096": "--set alpha_lines=4096",
     "paper": "--set alpha_lines=840 --set records=512",  # all memories together as large as the paper's 428 KB
@@ -101,6 +111,16 @@ TABLE = [
                   scene, points=("wide",)) for scene in EIGHT],
     *[Measurement(f"walks/{scene}", f"build/pipegs sim {{scene}} --design fast --path {FRAMES} --no-rtl --frames none "
                   f"--out paths/{scene} --json", (*PRICED, "path"), scene, None, ("fast",)) for scene in CHARTED],
+    *[Measurement(f"budgets/{scene}_{name}", f"build/pipegs sim {{scene}} --design fast --set lod=1 --path {BUDGETED} "
+                  f"{option}--no-rtl --frames none --out paths/{name}_{scene} --json",
+                  (*PRICED, "path", *(["runs"] if scene in LONG_WALKS else [])), scene, None, ("fast",))
+      for scene, budget in BUDGETS.items() for name, option in (("free", ""), ("held", f"--budget {budget} "))],
+    *[Measurement(f"proxies/own_{pixels}", f"build/pipegs sim {{scene}} --set lod=1 --lod-pixels {pixels} "
+                  f"--crop {PART} --no-rtl --out build/proxies_{pixels} --json", ("models",), points=("fast",),
+                  picture=(f"proxies_{pixels}.png", f"proxies_{pixels}/frame.png")) for pixels in PROXIES],
+    *[Measurement(f"levels/flowers_{name}", f"build/pipegs sim {{levels}} {option} --views 0-0 --design fast --no-rtl "
+                  "--against {truth} --frames none --out build/levels --json", MODEL, "flowers", None, ("fast",))
+      for name, option in COARSER.items()],
     *[Measurement(f"scale/sim_{name}", "build/pipegs sim {scene} --design fast --no-rtl --json", ("models",), scene,
                   view, ("fast",), alone=True) for name, (scene, view) in SCALED.items()],
     *[Measurement(f"scale/model_{name}", "build/pipegs model {scene} --design fast --json", MODEL, scene, view,
@@ -123,7 +143,7 @@ TABLE = [
     Measurement("accuracy/leave_one_out", "build/verif/silicon/silicon_test '--gtest_filter=*LeaveOneOut*'",
                 ("area",), targets=("silicon_test",), read=leave_one_out),
     *[Measurement(f"tradeoff/{scene}", f"build/pipegs study tradeoff {{scene}} --together {TOGETHER} --json", PRICED,
-                  scene, points=("fast",), chart=f"tradeoff/{scene}.svg") for scene in CHARTED],
+                  scene, points=("fast",)) for scene in FRONTS],
     *[Measurement(f"rivals/{scene}", "build/pipegs study rivals {scene} --json", PRICED, scene,
                   points=("dop", "fast"), chart="rivals/terrace.svg" if scene == "terrace" else "")
       for scene in CHARTED],

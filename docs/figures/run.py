@@ -15,7 +15,7 @@ import time
 from data import store
 from measurement import CLASSES
 from measurements import TABLE
-from scenes import prepared, reference
+from scenes import levels, prepared, reference, truth
 from sources import ROOT, find_modules
 
 AT_ONCE = 2
@@ -30,11 +30,14 @@ running = {}  # process: name of its measurement
 
 def command_line(one, scene, build):
     """The words of a measurement's command as they are run."""
-    words = []
-    for word in shlex.split(one.command):
-        view = ["--view", str(one.view)] if scene and one.view is not None else []
-        words += [*scene, *view] if word == "{scene}" else [word]
-    words = [str(reference(one.scene, one.view)) if word == "{reference}" else word for word in words]
+    view = ["--view", str(one.view)] if scene and one.view is not None else []
+    stands_for = {
+        "{scene}": lambda: [*scene, *view],
+        "{levels}": lambda: levels(one.scene),
+        "{reference}": lambda: [str(reference(one.scene, one.view))],
+        "{truth}": lambda: [str(truth(one.scene, build))],
+    }
+    words = [word for part in shlex.split(one.command) for word in stands_for.get(part, lambda: [part])()]
     words = [str(build / word.removeprefix("build/")) if word.startswith("build/") else word for word in words]
     words = [str(ROOT / word) if (ROOT / word).is_file() else word for word in words]
     return words
@@ -58,9 +61,9 @@ def execute(one, build, drawn=False):
     """(its figures, "") or (None, why there are none); what it draws is drawn when that is asked for."""
     with shared:
         scene = prepared(one.scene, build)
-    if scene is None:
-        return None, f"skipped: no scene {one.scene} (set PIPEGS_SHARED)"
-    words = command_line(one, scene, build)
+        if scene is None:
+            return None, f"skipped: no scene {one.scene} (set PIPEGS_SHARED)"
+        words = command_line(one, scene, build)
     process = subprocess.Popen(words, cwd=build, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     running[process] = one.name
     printed, said = process.communicate()

@@ -4,7 +4,7 @@ import lzma
 import shutil
 import subprocess
 
-from sources import PHOTOGRAPHS, SHARED, place_of
+from sources import PHOTOGRAPHS, SHARED, hash_of, place_of
 
 LEVEL = {"showroom": "1"}  # of detail, of a scene that comes in several
 SPLIT = {f"own_{millions}m": 1000000 * millions for millions in (1, 2, 4, 8, 16)}  # our own, each Gaussian in parts
@@ -59,3 +59,21 @@ def prepared(scene, build):
 def reference(scene, view):
     """A view's picture by an independent renderer, beside the scene."""
     return SHARED / "scenes" / scene / f"reference{'_' + str(view) if view else ''}.png"
+
+
+def levels(scene):
+    """The arguments that name a streamed scene as it came, with all its levels of detail."""
+    place = place_of(scene)
+    return [str(place), "--cameras", str(place.parent / "cameras.json")]
+
+
+def truth(scene, build):
+    """A folder with the first view of the whole scene in float64, named as that of a sequence is."""
+    folder = build / "figures" / f"{scene}_truth_{hash_of('models')}"
+    if not (folder / "frame_0000.png").exists():
+        words = ["--view", "0", "--model", "truth", "--semantics", "inria", "--out", folder]
+        subprocess.run(
+            [build / "pipegs", "render", *prepared(scene, build), *words], check=True, stdout=subprocess.DEVNULL
+        )
+        (folder / "frame.png").rename(folder / "frame_0000.png")
+    return folder

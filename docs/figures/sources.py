@@ -31,7 +31,7 @@ from design_points import design_points  # noqa: E402
 
 SHARED = Path(os.environ.get("PIPEGS_SHARED", ROOT.parent / "shared"))
 MODULES = ROOT / "docs/data/modules.json"  # {module of rtl/: the machines that have it}
-DRIVER = ["cpp_model/driver/pipegs_frame.c", "cpp_model/driver/pipegs_wide.h"]  # what the models call of it
+DRIVER = [f"cpp_model/driver/pipegs_{name}" for name in ("budget.c", "frame.c", "wide.h")]  # what the models call of it
 GROUPS = {  # the folders or files that make it; with - before it, what is not of it
     "rtl": ["rtl"],
     "models": ["cpp_model", "-cpp_model/driver", *DRIVER, "-cpp_model/package_sv.cpp", "-cpp_model/control/print",

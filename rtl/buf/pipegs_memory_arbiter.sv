@@ -28,7 +28,8 @@ module pipegs_memory_arbiter #(
   output logic [Ports-1:0]                               ready_o,
   input  logic [WritePorts-1:0]                          write_i,
   input  logic [Ports*pipegs_pkg::AddressW-1:0]          address_i,
-  input  logic [WritePorts*pipegs_pkg::HalvesW-1:0]      halves_i,  // of the line: what a write changes
+  input  logic [Ports*pipegs_pkg::HalvesW-1:0]           halves_i,  // of the line: what a write changes, or a read of
+                                                                    // one line needs
   input  logic [Ports*pipegs_pkg::BurstW-1:0]            lines_i,      // of a read, less one
   input  logic [WritePorts*pipegs_pkg::MemoryW-1:0]      data_i,
   input  logic                                           stop_i,  // nothing is taken any more
@@ -99,11 +100,11 @@ module pipegs_memory_arbiter #(
     for (int unsigned i = 0; i < Ports; i += 1) begin
       out.lines   |= lines_i[i*BurstW +: BurstW] & {BurstW{grant_q[i]}};
       out.address |= address.of[i] & {pipegs_pkg::AddressW{grant_q[i]}};
+      out.halves  &= halves_i[i*pipegs_pkg::HalvesW +: pipegs_pkg::HalvesW] | {pipegs_pkg::HalvesW{!grant_q[i]}};
     end
     for (int unsigned i = 0; i < WritePorts; i += 1) begin
-      out.write  |= write_i[i] && grant_q[i];
-      out.halves &= halves_i[i*pipegs_pkg::HalvesW +: pipegs_pkg::HalvesW] | {pipegs_pkg::HalvesW{!grant_q[i]}};
-      data       |= lines_data.of[i] & {pipegs_pkg::MemoryW{grant_q[i]}};
+      out.write |= write_i[i] && grant_q[i];
+      data      |= lines_data.of[i] & {pipegs_pkg::MemoryW{grant_q[i]}};
     end
   end
 

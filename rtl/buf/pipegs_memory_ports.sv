@@ -25,7 +25,8 @@ module pipegs_memory_ports #(
   input  pipegs_pkg::memory_lanes_t        sort_i,
   output pipegs_pkg::memory_lanes_answer_t sort_o,
   input  pipegs_pkg::memory_lanes_t        raster_i,
-  input  logic [Units*pipegs_pkg::HalvesW-1:0] halves_i,  // of these lines what a write changes; of others all
+  input  logic [Units*pipegs_pkg::HalvesW-1:0] halves_i,  // of these lines what a write changes; of others all, but of
+                                                          // colours what reads_i says
   output pipegs_pkg::memory_lanes_answer_t raster_o,
   input  pipegs_pkg::memory_lists_t        lists_i,
   output pipegs_pkg::memory_lists_answer_t lists_o,
@@ -50,11 +51,12 @@ module pipegs_memory_ports #(
   logic [Ports*AddressW-1:0]     address;
   logic [Ports*BurstW-1:0]       lines;
   logic [WritePorts*MemoryW-1:0] data;
-  logic [WritePorts*HalvesW-1:0] halves;
+  logic [Ports*HalvesW-1:0]      halves;
 
   always_comb begin
     halves = '1;
     halves[2*Units*HalvesW +: Units*HalvesW] = halves_i;
+    halves[(WritePorts+Units)*HalvesW +: Units*HalvesW] = reads_i.halves;
   end
 
   if (pipegs_pkg::HasLists) begin : gen_lists

@@ -182,7 +182,8 @@ module dopu_cells #(
   );
 
   assign item         = item_half_q ? line[2*NodeBits-1:NodeBits] : line[NodeBits-1:0];
-  assign is_shown     = item_kind_q != pipegs_pkg::KindData || item.count != '0;
+  assign is_shown     = item_kind_q != pipegs_pkg::KindData ||
+                        item[pipegs_pkg::NodeBits-1 -: pipegs_pkg::ChildrenW] != '0;
   assign cell_valid_o = item_valid_q && is_shown;
   assign kind_o       = item_kind_q;
   assign set_o        = item_set_q;

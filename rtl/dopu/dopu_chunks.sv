@@ -17,6 +17,7 @@ module dopu_chunks #(
   input  logic                                 awake_i,    // the DOPU's clock does not stand, or would not
   input  pipegs_pkg::position_t                position_i,
   input  logic [pipegs_pkg::WorldW-1:0]        near_plane_i,
+  input  logic [pipegs_pkg::StepW-1:0]         lod_i,     // of the frame; 0: no proxies
   input  pipegs_pkg::span_t                    groups_i,  // the tables
   input  pipegs_pkg::span_t                    chunks_i,
   input  logic [2*5*pipegs_pkg::PlaneBits-1:0] planes_i,
@@ -62,6 +63,7 @@ module dopu_chunks #(
       .awake_i,
       .position_i,
       .near_plane_i,
+      .lod_i,
       .groups_i,
       .chunks_i,
       .planes_i,
@@ -132,8 +134,8 @@ module dopu_chunks #(
     assign group_near_o   = '0;
     assign group_far_o    = '0;
     assign counted_o      = 1'b0;
-    logic unused_judges;
-    assign unused_judges  = ^set_judges_i;
+    logic unused_fields;
+    assign unused_fields  = ^set_judges_i ^ ^lod_i;
   end
 
 endmodule

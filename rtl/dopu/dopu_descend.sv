@@ -189,6 +189,7 @@ module dopu_descend #(
       logic              parent_data, parent_done, job_ready, out_read;
       logic [KindW:0]    out_tag;
       logic [pipegs_pkg::SlotW-1:0] out_index;
+      logic              out_last;
       logic [NodeBits-1:0] out_node;
 
       assign parent_data = kept[l][BeatW-2:NodeBits] == pipegs_pkg::KindData;
@@ -216,6 +217,7 @@ module dopu_descend #(
         .out_ready_i(node_ready[l+1]),
         .out_read_o(out_read),
         .out_index_o(out_index),
+        .out_last_o(out_last),
         .out_tag_o(out_tag),
         .out_item_o(out_node),
         .bad_o(bad_o[l]),
@@ -226,7 +228,7 @@ module dopu_descend #(
       assign beat[l+1] = {out_tag, out_node};
 
       logic unused_reader;
-      assign unused_reader = &{1'b0, out_read, out_index};
+      assign unused_reader = &{1'b0, out_read, out_index, out_last};
     end
   endgenerate
   assign waiting_o = waiting != '0;

@@ -186,7 +186,21 @@ module dopu_origin (
 
   // The place stands behind the kind. A watermark passes like the end that carries it: it is the chunk's last field.
   logic [pipegs_pkg::ChunkBits-1:0] beat;
-  assign beat = chunk_q;
+  if (pipegs_pkg::Coded) begin : gen_scale
+    localparam int unsigned ScaleEW = pipegs_pkg::ScaleEW;
+    localparam int unsigned ScaleAt = BodyAt + 3 * ViewW + 2 * ExpW;  // behind offset_exp
+    logic [ScaleEW-1:0] scale_exp_q, scale_out_q;
+    always_ff @(posedge clk_i) begin
+      if (take) scale_exp_q <= node_i.scale_max[pipegs_pkg::ScaleW-1 -: ScaleEW];
+      if (handover) scale_out_q <= kind_q == pipegs_pkg::KindData ? scale_exp_q : '0;
+    end
+    always_comb begin
+      beat                     = chunk_q;
+      beat[ScaleAt +: ScaleEW] = scale_out_q;
+    end
+  end else begin : gen_no_scale
+    assign beat = chunk_q;
+  end
   if (pipegs_pkg::HasWatermarks) begin : gen_mark
     localparam int unsigned DepthW = pipegs_pkg::DepthW;
     logic [DepthW-1:0] mark_taken_q, mark_q;

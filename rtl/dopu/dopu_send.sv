@@ -16,7 +16,7 @@ module dopu_send #(
   localparam int unsigned BucketW = pipegs_pkg::BucketW,
   localparam int unsigned StepW = pipegs_pkg::StepW,
   localparam int unsigned DepthW = pipegs_pkg::DepthW,
-  localparam int unsigned DataW = 3 * pipegs_pkg::WorldW + pipegs_pkg::ExpW + pipegs_pkg::CountW + pipegs_pkg::SlotW
+  localparam int unsigned DataW = pipegs_pkg::NodePlaceW + pipegs_pkg::CountW + pipegs_pkg::SlotW
 ) (
   input  logic                          clk_i,
   input  logic                          rst_ni,
@@ -33,7 +33,7 @@ module dopu_send #(
   output logic                          pop_o,
   input  logic                          pop_ready_i,
   input  logic                          popped_i,
-  input  logic [DataW-1:0]              popped_data_i,   // count, first, offset_exp, centre z, y, x
+  input  logic [DataW-1:0]              popped_data_i,   // count, first, scale_exp, offset_exp, centre z, y, x
 
   input  logic                          direct_valid_i,  // of the set sent
   output logic                          direct_ready_o,
@@ -56,6 +56,7 @@ module dopu_send #(
   logic                         set_q, popping_q, valid_q, chunk_set_q;
   logic                         shown_q;  // the output was shown and not taken: it stays, even if its window is done
   logic [pipegs_pkg::KindW-1:0] kind_q;
+  localparam int unsigned CenterW = pipegs_pkg::NodePlaceW - pipegs_pkg::ScaleExpW;  // of a node, and offset_exp
   logic [DataW-1:0]             data_q;
   logic [SinceW-1:0]            since_q;  // chunks since the last watermark
   logic [BucketW-1:0]           mark_q;   // the last watermark of the window
@@ -64,7 +65,7 @@ module dopu_send #(
   logic               done, has_first, idle, end_due, mark_due, chunk_due, dropped, load_popped, load_direct;
   logic               is_lowest;  // nothing unopened is nearer than the nearest chunk
   logic               risen;      // all that can still come lies behind the last watermark
-  logic [BucketW-1:0] first, lowest, bucket;
+  logic [BucketW-1:0] first, lowest;
   logic [StepW-1:0]   step;
   logic [SinceW-1:0]  apart;  // chunks between watermarks: doubled up to seven times
 
@@ -73,19 +74,22 @@ module dopu_send #(
   assign first     = first_bucket_i[32'(set_q)*BucketW +: BucketW];
   assign idle      = !valid_q && !popping_q;
 
-  // What is due is decided by comparing each bucket alone; their minimum is the watermark's alone.
+  // What is due is decided by comparing each bucket alone; their minimum, a tree, is the watermark's alone.
+  function automatic logic [BucketW-1:0] nearer(input logic [BucketW-1:0] a, input logic [BucketW-1:0] b);
+    nearer = a < b ? a : b;
+  endfunction
+  typedef struct packed {logic [3:0][BucketW-1:0] of;} buckets_t;
+  buckets_t closed;  // of what is not opened yet
+  assign closed = unopened_i | {4 * BucketW{opened_i}};
   always_comb begin
-    bucket    = '0;
-    lowest    = '1;
     is_lowest = 1'b1;
     risen     = !has_first || first > mark_q;
     for (int unsigned i = 0; i < 4; i += 1) begin
-      bucket = unopened_i[i*BucketW +: BucketW];
-      if (!opened_i && bucket < lowest) lowest = bucket;
-      if (!opened_i && bucket < first) is_lowest = 1'b0;
-      if (!opened_i && bucket <= mark_q) risen = 1'b0;
+      if (!opened_i && closed.of[i] < first) is_lowest = 1'b0;
+      if (!opened_i && closed.of[i] <= mark_q) risen = 1'b0;
     end
-    if (has_first && first < lowest) lowest = first;
+    lowest = nearer(nearer(closed.of[0], closed.of[1]), nearer(closed.of[2], closed.of[3]));
+    lowest = nearer(lowest, first | {BucketW{!has_first}});
   end
   assign end_due   = idle && opened_i && !has_first;
   assign apart     = SinceW'(MarkChunks) << marks_q[MarksW-1:MarksW-3];
@@ -141,7 +145,11 @@ module dopu_send #(
   assign mark_o        = kind_q == pipegs_pkg::KindLayerEnd ? {step, {(DepthW - StepW){1'b0}}} : '0;
   always_comb begin
     chunk_o = '0;
-    {chunk_o.count, chunk_o.first, chunk_o.offset_exp, chunk_o.center_z, chunk_o.center_y, chunk_o.center_x} = data_q;
+    {chunk_o.count, chunk_o.first} = data_q[DataW-1:pipegs_pkg::NodePlaceW];
+    {chunk_o.offset_exp, chunk_o.center_z, chunk_o.center_y, chunk_o.center_x} = data_q[0 +: CenterW];
+    if (pipegs_pkg::Coded) begin
+      chunk_o.scale_max[pipegs_pkg::ScaleW-1 -: pipegs_pkg::ScaleEW] = data_q[CenterW +: pipegs_pkg::ScaleEW];
+    end
   end
 
 `ifndef SYNTHESIS

@@ -183,12 +183,20 @@ module pipegs_dopu (
   logic [pipegs_pkg::DepthW-1:0] node_mark;  // a layer end's watermark
   pipegs_pkg::node_t             node;
 
+  logic [pipegs_pkg::StepW-1:0] lod;
+  if (pipegs_pkg::Lod == 1) begin : gen_frame_lod
+    assign lod = frame_i.lod;
+  end else begin : gen_no_lod
+    assign lod = '0;
+  end
+
   dopu_chunks u_chunks (
     .clk_i,
     .rst_ni,
     .awake_i(awake),
     .position_i(frame_i.camera.position),
     .near_plane_i(frame_i.lens.near_plane),
+    .lod_i(lod),
     .groups_i({areas_i.groups, frame_i.tables.groups}),
     .chunks_i({areas_i.chunks, frame_i.tables.chunks}),
     .planes_i(planes),

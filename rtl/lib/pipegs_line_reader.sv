@@ -9,15 +9,15 @@
 //         ItemsPerLine of the table. A job that names nothing, or what lies behind the table's end, is bad: the lines
 //         of those before it still come, its own are never asked for, and no job is taken any more.
 // Stream  job: first item, count, tag. mem: first line and number of lines of a request; rsp: the lines in the same
-//         order, always accepted. out: one beat per item, or per marker, with the job's tag. bad_o stays, bad_line_o is
-//         the line that the job named first.
+//         order, always accepted. out: one beat per item, or per marker, with the job's tag, the last one marked.
+//         bad_o stays, bad_line_o is the line that the job named first.
 // Pace    One item per cycle while the memory delivers; one request per cycle, one cycle between jobs.
 // Model   A queue of chunks in verif/pu/front/pu_fetch_test.cpp.
 
 module pipegs_line_reader #(
   parameter int unsigned TagW = 8,
   parameter int unsigned ItemW = 256,
-  parameter int unsigned ItemsPerLine = 2,  // 1 or 2
+  parameter int unsigned ItemsPerLine = 2,  // 1, 2 or 4, each at its part of the line
   parameter int unsigned Lines = 32,        // in flight or in the buffer; a power of two, at least 8
   parameter int unsigned Jobs = 4,
   parameter int unsigned IndexW = pipegs_pkg::SlotW,
@@ -46,6 +46,7 @@ module pipegs_line_reader #(
   input  logic                              out_ready_i,
   output logic                              out_read_o,
   output logic [IndexW-1:0]                 out_index_o,
+  output logic                              out_last_o,   // of its job
   output logic [TagW-1:0]                   out_tag_o,
   output logic [ItemW-1:0]                  out_item_o,
 
@@ -59,12 +60,13 @@ module pipegs_line_reader #(
   if (Lines < 2 ** BurstW || (Lines & (Lines - 1)) != 0) begin : gen_odd
     $error("pipegs_line_reader: Lines is not a power of two, or below the lines of a burst");
   end
-  if (ItemsPerLine != 1 && ItemsPerLine != 2) begin : gen_many
-    $error("pipegs_line_reader: ItemsPerLine is neither 1 nor 2");
+  if (ItemsPerLine != 1 && ItemsPerLine != 2 && ItemsPerLine != 4) begin : gen_many
+    $error("pipegs_line_reader: ItemsPerLine is none of 1, 2, 4");
   end
   localparam int unsigned PtrW = $clog2(Lines);
   localparam int unsigned CreditW = $clog2(Lines + 1);
-  localparam int unsigned HalfW = ItemsPerLine - 1;  // bits of an item's place in its line
+  localparam int unsigned PlaceW = $clog2(ItemsPerLine);  // bits of an item's place in its line
+  localparam int unsigned Place = ItemsPerLine - 1;       // these bits
   localparam int unsigned JobW = 1 + IndexW + CountW + TagW;
   localparam int unsigned EndW = (IndexW > CountW ? IndexW : CountW) + 2;
   localparam int unsigned Group = 2 ** BurstW;  // lines
@@ -81,8 +83,8 @@ module pipegs_line_reader #(
   logic                            asks_q;  // lines are left, and eight places are free
   logic                            left, places, free_kept, free_load, free_issue, free_both;
 
-  assign lines = ((CountW+1)'(job_count_i) + (CountW+1)'(HalfW) + (CountW+1)'(job_first_i & IndexW'(HalfW))) >> HalfW;
-  assign lines_end     = (EndW'(job_first_i) >> HalfW) + EndW'(lines);
+  assign lines = ((CountW+1)'(job_count_i) + (CountW+1)'(Place) + (CountW+1)'(job_first_i & IndexW'(Place))) >> PlaceW;
+  assign lines_end     = (EndW'(job_first_i) >> PlaceW) + EndW'(lines);
   assign bad           = job_read_i && (job_count_i == '0 || MostW'(lines_end) > MostW'(table_i.lines));
   assign job_ready_o   = jobs_ready && lines_left_q == '0 && !bad_q;
   assign take          = job_valid_i && job_ready_o;
@@ -106,7 +108,7 @@ module pipegs_line_reader #(
   end
 
   always_ff @(posedge clk_i) begin
-    if (take) line_q <= table_i.first + (pipegs_pkg::AddressW'(job_first_i) >> HalfW);
+    if (take) line_q <= table_i.first + (pipegs_pkg::AddressW'(job_first_i) >> PlaceW);
     else if (issue) line_q <= {line_q[pipegs_pkg::AddressW-1:BurstW] + 1'b1, BurstW'(0)};  // if lines are left
   end
 
@@ -186,21 +188,20 @@ module pipegs_line_reader #(
   assign out_read_o  = job_read;
   assign out_index_o = job_first + IndexW'(item_q);
   assign out_tag_o   = job_tag;
+  assign out_last_o  = last;
   assign last        = !job_read || item_q + 1'b1 == job_count;
   assign job_pop     = out_valid_o && out_ready_i && last;
   assign line_pop    = out_valid_o && out_ready_i && job_read && (last || line_end);
   assign waiting_o   = job_valid && job_read && !line_valid_q;
   assign idle_o      = jobs_count == '0;
 
-  generate
-    if (ItemsPerLine == 2) begin : gen_two
-      assign line_end   = out_index_o[0];
-      assign out_item_o = out_index_o[0] ? line[pipegs_pkg::MemoryW/2 +: ItemW] : line[ItemW-1:0];
-    end else begin : gen_one
-      assign line_end   = 1'b1;
-      assign out_item_o = line[ItemW-1:0];
+  assign line_end = (out_index_o & IndexW'(Place)) == IndexW'(Place);
+  always_comb begin
+    out_item_o = line[ItemW-1:0];
+    for (int unsigned i = 1; i < ItemsPerLine; i += 1) begin
+      if ((out_index_o & IndexW'(Place)) == IndexW'(i)) out_item_o = line[i*pipegs_pkg::MemoryW/ItemsPerLine +: ItemW];
     end
-  endgenerate
+  end
   logic unused_line;  // the bits of a line that hold no item
   assign unused_line = ^line;
 
@@ -222,14 +223,14 @@ module pipegs_line_reader #(
     .beat_i({mem_address_o, mem_lines_o})
   );
   pipegs_stream_check #(
-    .DataW($bits({out_read_o, out_index_o, out_tag_o, out_item_o})),
+    .DataW($bits({out_read_o, out_index_o, out_last_o, out_tag_o, out_item_o})),
     .Proven(1)
   ) u_check_out (
     .clk_i,
     .rst_ni,
     .valid_i(out_valid_o),
     .ready_i(out_ready_i),
-    .beat_i({out_read_o, out_index_o, out_tag_o, out_read_o ? out_item_o : '0})  // a marker has no item
+    .beat_i({out_read_o, out_index_o, out_last_o, out_tag_o, out_read_o ? out_item_o : '0})  // a marker has no item
   );
 `endif
 

@@ -92,7 +92,7 @@ module pipegs_list_read #(
   end
 
   // --- lines --------------------------------------------------------------------------------------------------------
-  logic                 item_valid, item_ready, item_read, item_tag, waiting, idle, bad;
+  logic                 item_valid, item_ready, item_read, item_last, item_tag, waiting, idle, bad;
   logic [AddressW-1:0]  bad_line;
   pipegs_pkg::span_t    lists;
   assign lists = {pipegs_pkg::area_lines(overflow_i.lines, pipegs_pkg::AreaLists), overflow_i.first};
@@ -127,6 +127,7 @@ module pipegs_list_read #(
     .out_ready_i(item_ready),
     .out_read_o(item_read),
     .out_index_o(item_index),
+    .out_last_o(item_last),
     .out_tag_o(item_tag),
     .out_item_o(item),
     .bad_o(bad),
@@ -187,7 +188,7 @@ module pipegs_list_read #(
   );
 
   logic unused_reader;
-  assign unused_reader = &{1'b0, bad, bad_line, item_index, item_tag, waiting, target_port};
+  assign unused_reader = &{1'b0, bad, bad_line, item_index, item_last, item_tag, waiting, target_port};
 
 `ifndef SYNTHESIS
   pipegs_stream_check #(.Ports(Units), .Shared(1), .DataW($bits(splat_o)), .Proven(1)) u_check_splat (

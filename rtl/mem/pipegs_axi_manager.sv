@@ -50,7 +50,7 @@ module pipegs_axi_manager #(
   input  pipegs_pkg::axi_subordinate_t   m_axi_i
 );
 
-  localparam int unsigned ReadW   = pipegs_pkg::AxiIdW + 4 + LineW;
+  localparam int unsigned ReadW   = pipegs_pkg::AxiIdW + pipegs_pkg::HalvesW + 4 + LineW;
   localparam int unsigned WritesW = $clog2(Writes + 1);
 
   logic               read_valid, read_ready, read_room, fence_ready, issue_valid, issue_ready, reads_pending;
@@ -73,7 +73,7 @@ module pipegs_axi_manager #(
     .in_valid_i(read_valid),
     .in_ready_o(fence_ready),
     .in_fenced_i(mem_request_i.tag < TagW'(pipegs_pkg::WritePorts)),
-    .in_i({epoch_i, mem_request_i.tag, 4'(mem_request_i.lines) + 4'd1, mem_request_i.address}),
+    .in_i({epoch_i, mem_request_i.tag, mem_request_i.halves, 4'(mem_request_i.lines) + 4'd1, mem_request_i.address}),
     .write_i(write_valid && write_ready),
     .writes_i(writes),
     .out_valid_o(issue_valid),

@@ -3,12 +3,14 @@
 //
 // Idea    A read of up to eight lines is one burst of INCR with the ID {epoch, tag}: AXI keeps the order within an ID,
 //         as the core wants it within a tag. Eight lines are 512 bytes and lie in one aligned group, so no burst
-//         crosses 4 KB. Counted are the reads accepted and not answered, and of these the ones of an older epoch: their
-//         beats are taken and dropped. One bit tells two epochs apart, so the epoch may change again only when
+//         crosses 4 KB. Half a line (Coded, the ports of colours) is half as many beats, or one of half the bus.
+//         Counted are the reads accepted and not answered, and of these the ones of an older epoch: their beats are
+//         taken and dropped. One bit tells two epochs apart, so the epoch may change again only when
 //         drained_o is up. Of the reads that are out one is remembered until an answer to its ID ends, which may be
 //         that to an older one: so what is remembered is unanswered, and when memory falls silent it is known which
 //         read it owes.
-// Stream  in: the read, {epoch, tag, lines, line}. out: AR; R is never refused. Lines and their tag to the core.
+// Stream  in: the read, {epoch, tag, halves, lines, line}. out: AR; R is never refused. Lines and their tag to the
+//         core.
 // Pace    One read and one beat per cycle; AR shows one cycle after the read, a line one cycle after its last beat.
 // Model   sim/memory/axi/axi_memory.hpp has the other side.
 
@@ -18,7 +20,7 @@ module pipegs_axi_read #(
   localparam int unsigned LineW  = pipegs_pkg::AddressW,
   localparam int unsigned TagW   = pipegs_pkg::TagW,
   localparam int unsigned IdW    = pipegs_pkg::AxiIdW,
-  localparam int unsigned ReadW  = IdW + 4 + LineW,
+  localparam int unsigned ReadW  = IdW + pipegs_pkg::HalvesW + 4 + LineW,
   localparam int unsigned ReadsW = $clog2(Reads + 1)
 ) (
   input  logic                           clk_i,
@@ -50,11 +52,15 @@ module pipegs_axi_read #(
   localparam int unsigned PageB = 12 - LineB;  // bits of a line's number within 4 KB
   localparam int unsigned DataW = pipegs_pkg::AxiDataW;
   localparam int unsigned Beats = pipegs_pkg::MemoryW / DataW;
+  localparam int unsigned HalfBeats = Beats > 1 ? Beats / 2 : 1;
+  localparam logic [2:0]  Size = 3'($clog2(DataW / 8));
 
   logic              ar_valid_q, free, epoch_q, turn, now, answered, gathering;
   logic [IdW-1:0]    id, id_q;
   logic [3:0]        lines;
+  logic [pipegs_pkg::HalvesW-1:0] halves;
   logic [7:0]        length_q;
+  logic [2:0]        size_q;
   logic [LineW-1:0]  line;
   logic [AddrW-1:0]  address_q;
   logic [ReadsW-1:0] reads_q, old_q;  // unanswered; of these, of an older epoch
@@ -64,7 +70,7 @@ module pipegs_axi_read #(
   logic [LineW-1:0]  shown_line, owed_line_q;
 
   // --- AR ------------------------------------------------------------------------------------------------------------
-  assign {id, lines, line} = in_i;
+  assign {id, halves, lines, line} = in_i;
   assign free       = !ar_valid_q || m_axi_i.ar_ready;
   assign in_ready_o = free;
 
@@ -75,8 +81,10 @@ module pipegs_axi_read #(
   always_ff @(posedge clk_i) begin
     if (free && in_valid_i) begin
       id_q      <= id;
-      length_q  <= 8'(lines) * 8'(Beats) - 8'd1;
-      address_q <= {base_i[AddrW-1:12] + (AddrW-12)'(line[LineW-1:PageB]), line[PageB-1:0], LineB'(0)};
+      length_q  <= halves != '1 ? 8'(HalfBeats - 1) : 8'(lines) * 8'(Beats) - 8'd1;
+      size_q    <= halves != '1 && Beats == 1 ? Size - 3'd1 : Size;
+      address_q <= {base_i[AddrW-1:12] + (AddrW-12)'(line[LineW-1:PageB]), line[PageB-1:0],
+                    halves == 2'b10, (LineB-1)'(0)};
     end
   end
 
@@ -130,6 +138,7 @@ module pipegs_axi_read #(
     .rst_ni,
     .turn_i(turn),
     .beat_valid_i(now),
+    .beat_last_i(m_axi_i.r.last),
     .beat_tag_i(m_axi_i.r.id[TagW-1:0]),
     .beat_i(m_axi_i.r.data),
     .line_valid_o,
@@ -141,7 +150,7 @@ module pipegs_axi_read #(
   assign m_axi_o.ar.id    = id_q;
   assign m_axi_o.ar.addr  = pipegs_pkg::AxiAddrW'(address_q);
   assign m_axi_o.ar.len   = length_q;
-  assign m_axi_o.ar.size  = 3'($clog2(DataW / 8));
+  assign m_axi_o.ar.size  = size_q;
   assign m_axi_o.ar.burst = pipegs_pkg::AxiIncr;
   assign m_axi_o.ar.cache = pipegs_pkg::AxiCache;
   assign m_axi_o.ar.prot  = pipegs_pkg::AxiProt;

@@ -57,6 +57,7 @@ module pipegs_pu #(
   output logic                                 color_valid_o,
   input  logic                                 color_ready_i,
   output logic [AddressW-1:0]                  color_address_o,
+  output logic [pipegs_pkg::HalvesW-1:0]       color_halves_o,
   input  logic                                 color_rsp_valid_i,
 
   input  logic [MemoryW-1:0]                   rsp_data_i,  // of both reading ports
@@ -223,6 +224,7 @@ module pipegs_pu #(
     .color_valid_o,
     .color_ready_i,
     .color_address_o,
+    .color_halves_o,
     .color_rsp_valid_i,
     .rsp_data_i,
     .spill_valid_o,

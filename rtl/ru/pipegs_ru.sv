@@ -156,6 +156,13 @@ module pipegs_ru #(
     assign unwritten[i] = joined ? outside[i/2*2] : outside[i];  // the left one of two is outside: so is the other one
   end
 
+  logic [pipegs_pkg::TW-1:0] rest;
+  if (pipegs_pkg::EarlyStop != 0) begin : gen_rest
+    assign rest = {1'b0, raster_i.rest};
+  end else begin : gen_no_rest
+    assign rest = '0;
+  end
+
   // --- blending -----------------------------------------------------------------------------------------------------
   logic                load_valid, load_ready, store_valid, store_ready, issue, memory, waits, blend_idle;
   logic [AddressW-1:0] load_address, store_address;
@@ -170,6 +177,7 @@ module pipegs_ru #(
     ru_whole u_blend (
       .clk_i,
       .rst_ni,
+      .rest_i(rest),
       .overflow_i,
       .unit_i,
       .restart_i,
@@ -244,6 +252,7 @@ module pipegs_ru #(
     ru_live u_blend (
       .clk_i,
       .rst_ni,
+      .rest_i(rest),
       .restart_i,
       .in_valid_i(splat_valid),
       .in_ready_o(splat_ready),

@@ -4,7 +4,8 @@
 // Paper   Eq. 2: C += c * alpha * T,  T *= 1 - alpha.
 // Idea    One product serves weight and update: w = T * alpha, T' = T - w, so T plus the sum of all weights stays 1.
 //         INRIA's stop rule: when T' would fall below 1/TCut (1e-4) the pixel is done and this Gaussian is not blended
-//         (EarlyStop 0: never; done says only that the pixel lies outside the image).
+//         (EarlyStop 0: never; done says only that the pixel lies outside the image). With rest_i: of a pixel whose T
+//         is below it the next Gaussian takes all. That is known from T alone, beside the product.
 // Stream  cycle 0 (enable_1_i): alpha code, T and done. cycle 1 (enable_2_i): colour. cycle 2: accumulated colour in,
 //         new T, done and colour out. T u1.(TW-1), alpha u0.AlphaW, colour u2.(ColorW-2), accumulated u2.(RgbW-2).
 // Round   w and w * colour to nearest, ties up; the accumulated colour saturates at the top (wraps if Saturation is 0).
@@ -13,6 +14,7 @@
 
 module ru_blend (
   input  logic                                    clk_i,
+  input  logic [pipegs_pkg::TW-1:0]               rest_i,  // T, of the frame; 0: INRIA's rule
 
   input  logic                                    enable_1_i,
   input  logic [pipegs_pkg::AlphaW-1:0]           code_i,
@@ -55,24 +57,29 @@ module ru_blend (
   logic [TW-1:0]   weight_1_q, t_1_q, t_2_q;
   logic            done_1_q, done_2_q;
   logic [AddW-1:0] red_2_q, green_2_q, blue_2_q;
-  logic [TW-1:0]   remain;
-  logic            hold;  // the pixel was done, or is now
+  logic [TW-1:0]   remain, weight;
+  logic            last_1_q;  // the Gaussian takes all
+  logic            over;      // it would leave too little
+  logic            hold;      // it is not blended
 
   assign remain = t_1_q - weight_1_q;
-  assign hold   = done_1_q || (pipegs_pkg::EarlyStop != 0 && remain < TW'(pipegs_pkg::TStop));
+  assign over   = pipegs_pkg::EarlyStop != 0 && rest_i == '0 && remain < TW'(pipegs_pkg::TStop);
+  assign hold   = done_1_q || over;
+  assign weight = last_1_q ? t_1_q : weight_1_q;
 
   always_ff @(posedge clk_i) begin
     if (enable_1_i) begin
       weight_1_q <= TW'((ProductW'(t_i) * ProductW'(code_i) + Half) >> AlphaW);
       t_1_q      <= t_i;
       done_1_q   <= done_i;
+      last_1_q   <= t_i < rest_i && code_i != '0;
     end
     if (enable_2_i) begin
-      t_2_q     <= hold ? t_1_q : remain;
-      done_2_q  <= hold;
-      red_2_q   <= hold ? '0 : scaled(weight_1_q, red_i);
-      green_2_q <= hold ? '0 : scaled(weight_1_q, green_i);
-      blue_2_q  <= hold ? '0 : scaled(weight_1_q, blue_i);
+      t_2_q     <= hold ? t_1_q : last_1_q ? '0 : remain;
+      done_2_q  <= hold || last_1_q;
+      red_2_q   <= hold ? '0 : scaled(weight, red_i);
+      green_2_q <= hold ? '0 : scaled(weight, green_i);
+      blue_2_q  <= hold ? '0 : scaled(weight, blue_i);
     end
   end
 

@@ -21,6 +21,7 @@ module ru_lanes #(
 ) (
   input  logic                           clk_i,
   input  logic                           rst_ni,
+  input  logic [pipegs_pkg::TW-1:0]      rest_i,  // transmittance at which pixels stop, of the frame; 0: 1/TCut
   input  logic                           restart_i,
 
   input  logic                           in_valid_i,
@@ -162,6 +163,7 @@ module ru_lanes #(
   for (genvar i = 0; i < Lanes; i += 1) begin : gen_lane
     ru_blend u_blend (
       .clk_i,
+      .rest_i,
       .enable_1_i(valid_1_q),
       .code_i    (codes_1_q.of[i]),
       .t_i       (fresh_i ? One : shown.t[i]),

@@ -21,6 +21,7 @@ module ru_whole #(
 ) (
   input  logic                                 clk_i,
   input  logic                                 rst_ni,
+  input  logic [pipegs_pkg::TW-1:0]            rest_i,  // transmittance at which pixels stop, of the frame; 0: 1/TCut
   input  pipegs_pkg::span_t                  overflow_i,   // the overflow area
   input  logic [pipegs_pkg::UnitW-1:0]         unit_i,       // constant
   input  logic                                 restart_i,
@@ -112,6 +113,7 @@ module ru_whole #(
   ru_lanes u_lanes (
     .clk_i,
     .rst_ni,
+    .rest_i,
     .restart_i,
     .in_valid_i(blend_valid),
     .in_ready_o(blend_ready),

@@ -59,7 +59,7 @@ module pipegs_su (
   logic                     job_done, spill_stay, refills, returns, refill_ready;
   logic [RecordW-1:0]       slot, free_slot, link_slot, link_to;
   logic                     back_valid;
-  pipegs_pkg::splat_t       record;
+  pipegs_pkg::splat_t       record, emitted;
   pipegs_pkg::su_chain_t    chain;
   pipegs_pkg::su_mark_t     mark;
 
@@ -98,7 +98,7 @@ module pipegs_su (
     .returns_i(returns),
     .back_valid_i(back_valid),
     .back_ready_o(refill_ready),
-    .back_i(out_o),
+    .back_i(emitted),
     .spill_done_i(spill_done),
     .job_valid_i(job_valid),
     .job_done_o(job_done),
@@ -174,7 +174,7 @@ module pipegs_su (
   logic [KeyW-1:0]          merged_key;
   logic [RecordW-1:0]       merged_slot;
   logic                     divert, spilled, keep, all_sent, kept_valid, kept_ready, back_ready;
-  logic                     output_empty, output_moves;
+  logic                     output_empty, output_moves, emitted_valid, emitted_ready;
   logic                     read_valid, read_ready, line_valid, line_ready;
   logic [pipegs_pkg::SlotW-1:0] read_line, kept_number;
   logic [SplatBits-1:0]     line;
@@ -214,13 +214,24 @@ module pipegs_su (
     .divert_i(divert || returns),
     .back_valid_o(back_valid),
     .back_ready_i(returns ? refill_ready : back_ready),
-    .out_valid_o,
-    .out_ready_i,
-    .out_o,
+    .out_valid_o(emitted_valid),
+    .out_ready_i(emitted_ready),
+    .out_o(emitted),
     .empty_o(output_empty),
     .moves_o(output_moves)
   );
   assign drained = settled && sort_idle && output_empty;
+
+  pipegs_skid #(.DataW(SplatBits)) u_skid (  // while the store of records is written, the next ones are there
+    .clk_i,
+    .rst_ni,
+    .in_valid_i(emitted_valid),
+    .in_ready_o(emitted_ready),
+    .in_i(emitted),
+    .out_valid_o,
+    .out_ready_i,
+    .out_o
+  );
 
   // --- a set that spills --------------------------------------------------------------------------------------------
   logic                     overflow_moves, port_active, port_waits;
@@ -254,7 +265,7 @@ module pipegs_su (
       .record_i(record),
       .back_valid_i(back_valid),
       .back_ready_o(back_ready),
-      .back_i(out_o),
+      .back_i(emitted),
       .external_o(external),
       .key_i(stored_key),
       .group_valid_o(group_valid),
@@ -304,7 +315,7 @@ module pipegs_su (
 
   // --- what the unit does in this cycle -----------------------------------------------------------------------------
   logic moves;
-  assign moves    = gather_moves || sort_moves || output_moves || overflow_moves;
+  assign moves    = gather_moves || sort_moves || output_moves || overflow_moves || (out_valid_o && out_ready_i);
   assign active_o = moves || port_active || (in_valid_i && in_ready_o);
   always_comb begin
     perf_o = pipegs_pkg::PerfStarved;

@@ -6,6 +6,10 @@
 #include <cmath>
 #include <limits>
 
+#include "cpp_model/lib/math/sqrt.hpp"
+#include "cpp_model/pu/color/sh_code.hpp"
+#include "cpp_model/pu/front/pu_decode.hpp"
+
 namespace pipegs {
 namespace {
 
@@ -101,6 +105,13 @@ struct Geometry {
 // Rotation matrix of a quaternion of `fraction` bits rounded to nearest: |dq| <= 2^-fraction, of which the part along q
 // counts twice as much as the turn.
 double of_quaternion(int fraction) { return std::sqrt(20.0) * unit(fraction); }
+// Of the record's, as its codes leave it; and of what is not its direction but its length.
+double of_record_quaternion(const Config& config) {
+  return of_quaternion(config.quat_w - 1) + (config.coded() ? std::sqrt(20.0) * kTurnCodeError : 0);
+}
+double of_record_length(const Config& config) {
+  return of_quaternion(config.quat_w - 1) + (config.coded() ? std::sqrt(20.0) * kSqrtError : 0);
+}
 
 // Components of the view position: packed mean and camera, their rotation, and two roundings in view space.
 double position_error(const Config& config, const Geometry& g, const BudgetUnits& u) {
@@ -110,11 +121,20 @@ double position_error(const Config& config, const Geometry& g, const BudgetUnits
 
 double view_rounding(const BudgetUnits& u) { return u.view; }  // half for the origin, half for the offset
 
-// Half a unit of a scale's mantissa, what is flushed below its smallest, what is clipped beyond its largest.
-double scale_error(const Config& config, double scale, double world) {
-  const double smallest = 2 * unit(8) * world, top = std::ldexp(2.0, 55) * world;
-  return scale * unit(config.scale_m_w + 1) + (scale < smallest ? smallest / 2 : 0) +
-         (scale > top ? scale - top * (1 - unit(config.scale_m_w + 1)) : 0);
+// Half a unit of a scale's mantissa, what is flushed below its smallest, what is clipped beyond its largest; of a code
+// half a step of the logarithm, too, and what is raised to the chunk's smallest.
+double scale_error(const Config& config, double scale, const BudgetUnits& u) {
+  const double smallest = 2 * unit(8) * u.world, top = std::ldexp(2.0, 55) * u.world;
+  const double step = config.coded() ? std::exp2(0.5 / kScaleSteps) - 1 : 0;
+  return scale * (step + (1 + step) * unit(config.scale_m_w + 1)) + (scale < smallest ? smallest / 2 : 0) +
+         (scale < u.scale ? u.scale : 0) + (scale > top ? scale - top * (1 - unit(config.scale_m_w + 1)) : 0);
+}
+
+// Of -log2(opacity): half a unit of the field, and of a code half a step of the opacity itself.
+double opacity_error(const Config& config, double opacity) {
+  const double field = unit(config.opacity_f + 1), step = 0.5 / kMostOpacity;
+  if (!config.coded()) return field;
+  return opacity > step ? field + std::log2(opacity / (opacity - step)) : kInfinity;
 }
 
 // |S^-1/2 dU| of what the record rounds.
@@ -123,20 +143,20 @@ double record_change(const Config& config, const Geometry& g, const BudgetUnits&
   for (int j = 0; j < 3; ++j) {
     const glm::dvec3& axis = g.axes[j];
     const double column = g.metric.length(g.gx * (axis.x - g.tx * axis.z), g.gy * (axis.y - g.ty * axis.z)) *
-                          scale_error(config, g.scale[j], u.world);
+                          scale_error(config, g.scale[j], u);
     scales += column * column;
   }
   const double focal = unit(config.focal_f() + 1),
                lens = std::max(focal / g.camera.fx, focal / g.camera.fy) * std::sqrt(2.0);
-  return g.turned(of_quaternion(config.quat_w - 1)) + std::sqrt(scales) + g.moved(position_error(config, g, u)) + lens;
+  return g.turned(of_record_quaternion(config)) + std::sqrt(scales) + g.moved(position_error(config, g, u)) + lens;
 }
 
-double record_power(const Config& config, const Geometry& g, const BudgetUnits& u, double budget) {
+double record_power(const Config& config, const Geometry& g, const BudgetUnits& u, double opacity, double budget) {
   const double focal = unit(config.focal_f() + 1), center = unit(config.center_f() + 1);
   const double lens =
       g.metric.longest(focal * std::abs(g.view.x / g.view.z) + center, focal * std::abs(g.view.y / g.view.z) + center);
   return of_change(record_change(config, g, u), budget) +
-         of_shift(g.shifted(position_error(config, g, u)) + lens, budget) + unit(config.opacity_f + 1);
+         of_shift(g.shifted(position_error(config, g, u)) + lens, budget) + opacity_error(config, opacity);
 }
 
 // 1/z: z rounded to MantissaW bits, recip, x / z rounded to ViewW bits: below four units together.
@@ -168,13 +188,13 @@ double compensation_power(const Config& config, const Geometry& g, const BudgetU
   const double x = 2 * (record_change(config, g, u) + projection_change(config, g, u));
   const double moved = 2 * (position_error(config, g, u) + view_rounding(u)) / g.view.z;
   double scales = 0;
-  for (int j = 0; j < 3; ++j) scales = std::max(scales, scale_error(config, g.scale[j], u.world) / g.largest);
+  for (int j = 0; j < 3; ++j) scales = std::max(scales, scale_error(config, g.scale[j], u) / g.largest);
   const double tangents =
       unit(config.tan_f) + ratio_error(config) + moved * (1 + std::max(std::abs(g.tx), std::abs(g.ty)));
   // Scales and tangents count beside the largest one: a product of two small ones may change by more than itself.
   const double wide =
       g.gx * g.gy * g.largest * g.largest * 2 * (scales + tangents) * std::sqrt(3 * (1 + g.tx * g.tx + g.ty * g.ty));
-  const double turned = g.determinant(turn_error(config) + of_quaternion(config.quat_w - 1), t.det);
+  const double turned = g.determinant(turn_error(config) + of_record_quaternion(config), t.det);
   const double error = turned + (2 * std::sqrt(share * t.det) * wide + wide * wide) / t.det +
                        share * (2 * x + x * x + 8 * moved + 64 * unit(config.mantissa_w - 1));
   const double low = std::max(kMinCompensation, share - error), high = std::max(kMinCompensation, share + error);
@@ -184,8 +204,7 @@ double compensation_power(const Config& config, const Geometry& g, const BudgetU
 double conic_power(const Config& config, const Geometry& g, const TruthProjection& t, double budget) {
   const double u = unit(config.mantissa_w - 1);
   const double variance = 16 * u, mixed = 16 * u, det = 23 * u, product = 4 * u;
-  const double turn =
-      turn_error(config) + of_quaternion(config.quat_w - 1);  // its length counts, also of an exact record
+  const double turn = turn_error(config) + of_record_length(config);  // counts, also of an exact record
   const double relative = 2 * variance + det + 2 * product + g.determinant(turn, t.det);
   const double slope = mixed * std::sqrt(std::min(t.a, t.c) / std::max(t.a, t.c)) +
                        (variance + product) * std::abs(g.metric.slope) + unit(config.slope_w() - 2);
@@ -205,19 +224,29 @@ double coefficient_power(const Config& config, double budget) {
 
 double accumulator_power(const Config& config) { return 81 * unit(config.power_f); }
 
-// Colour: base and coefficients of the record, direction and basis, and three roundings.
+// Largest coefficient of the bands from `first` to `last`.
+double largest_of(const float* rest, int first, int last) {
+  double largest = 0;
+  for (int k = sh_first(first); k < sh_first(last + 1); ++k)
+    largest = std::max(largest, static_cast<double>(std::abs(rest[k])));
+  return largest;
+}
+
+// Colour: base and coefficients of the record, direction and basis, and three roundings. Bands of codes have fewer bits
+// of their own.
 double color_error(const Config& config, const Geometry& g, const float* rest, int degree, const BudgetUnits& u,
                    bool exact_record) {
   const int work = std::max(config.base_w - 3, config.color_w - 2) + 2;
   double error = unit(config.color_w - 1) + unit(work + 1) + (exact_record ? 0 : unit(config.base_w - 2));
-  double sum = 0, largest = 0;
-  for (int k = 0; k < 3 * sh_rest_count(degree); ++k) {
-    sum += std::abs(rest[k]);
-    largest = std::max(largest, static_cast<double>(std::abs(rest[k])));
-  }
-  if (largest == 0) return error;
+  if (config.coded() && !exact_record) error += unit(Config::base_code_w());
+  double sum = 0;
+  for (int k = 0; k < 3 * sh_rest_count(degree); ++k) sum += std::abs(rest[k]);
+  if (sum == 0) return error;
+  const double largest = largest_of(rest, 1, degree);
   if (!exact_record)
     error += 0.75 * sh_rest_count(degree) * (largest * unit(config.sh_m_w - 2) + std::max(0.0, largest - 15.9));
+  for (int band = 1; band <= degree && config.coded() && !exact_record; ++band)
+    error += 0.75 * (2 * band + 1) * largest_of(rest, band, band) * unit(sh_code_w(band) - 2);
   const double position = (exact_record ? 0 : position_error(config, g, u)) + 2 * view_rounding(u);
   return error + sum * (unit(12) + 3 * position / glm::length(g.offset));
 }
@@ -225,12 +254,14 @@ double color_error(const Config& config, const Geometry& g, const float* rest, i
 // The colour without the clamp at 0, as the record holds its constant band.
 glm::dvec3 open_color(const Config& config, const glm::vec3& dc, const float* rest, int degree,
                       const glm::dvec3& offset) {
-  const double top = 4 - unit(config.base_w - 3), length = glm::length(offset);
+  const double low = config.coded() ? -0.5 : -4,
+               top = config.coded() ? 1.5 - unit(Config::base_code_w() - 1) : 4 - unit(config.base_w - 3),
+               length = glm::length(offset);
   double basis[15];
   sh_basis(length > 0 ? offset / length : glm::dvec3(0, 0, 1), basis);
   glm::dvec3 color(0);
   for (int i = 0; i < 3; ++i) {
-    color[i] = std::clamp(kSh0 * static_cast<double>(dc[i]) + 0.5, -4.0, top);
+    color[i] = std::clamp(kSh0 * static_cast<double>(dc[i]) + 0.5, low, top);
     for (int k = 0; k < sh_rest_count(degree); ++k) color[i] += basis[k] * rest[3 * k + i];
   }
   return color;
@@ -255,7 +286,7 @@ GaussianBudget gaussian_budget(const Config& config, const Camera& camera, const
   }
   out.certain = out.truth.depth > options.near_plane + depth_error;
   const double budget = std::log2(255.0) + 1;  // the farthest pixel that may count, roundings included
-  out.power.record = exact_record ? 0 : record_power(config, g, units, budget);
+  out.power.record = exact_record ? 0 : record_power(config, g, units, gaussian.opacity, budget);
   out.power.projection = projection_power(config, g, units, budget);
   out.power.conic = conic_power(config, g, out.truth, budget);
   out.power.coefficients = coefficient_power(config, budget);

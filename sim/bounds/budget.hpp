@@ -24,6 +24,7 @@ struct BudgetUnits {
   double world = 0;   // a world unit
   double offset = 0;  // unit of the offset of its mean from the chunk's centre
   double view = 0;    // unit of its chunk's view space
+  double scale = 0;   // the smallest scale that its chunk's codes know (record = 48)
 };
 
 // Worst error of the power, log2 units, in any pixel that counts; infinite where nothing can be said.

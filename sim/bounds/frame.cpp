@@ -14,6 +14,7 @@
 
 #include "cpp_model/dopu/dopu_origin.hpp"
 #include "cpp_model/float/parallel.hpp"
+#include "cpp_model/pu/front/pu_decode.hpp"
 #include "cpp_model/pu/rows/pu_rows.hpp"
 #include "cpp_model/ru/ru_resolve.hpp"
 
@@ -138,8 +139,13 @@ void Walk::collect(const Scene& scene, const Camera& camera, const SimulateOptio
   const PackedScene& packed = simulation_.packed;
   const ProjectionOptions projection{Semantics::kExact, options.near_plane, scene.antialiased, config_.sh_degree};
   BudgetUnits units{.world = std::ldexp(1.0, packed.scene_exponent)};
-  for (const Node& chunk : packed.chunks) {
+  for (const Node& chunk : packed.own_chunks()) {
     units.offset = std::ldexp(units.world, static_cast<int>(chunk.offset_exp));
+    if (config_.coded()) {
+      units.offset = std::ldexp(units.offset, config_.pos_w - Config::offset_code_w());
+      const uint64_t least = decode_scale(config_, kNoScale - 1, chunk.scale_max >> config_.scale_m_w);
+      units.scale = units.world * scale_value(config_, least);
+    }
     units.view =
         std::ldexp(units.world, static_cast<int>(dopu_origin(config_, simulation_.input.frame, chunk, 0, 0).view_exp));
     for (uint64_t slot = chunk.first; slot < chunk.first + chunk.count; ++slot) {
@@ -210,7 +216,8 @@ BudgetReport Walk::window(uint64_t wx, uint64_t wy) const {
   const GoldenWindow window = golden_window(simulation_.input, wx, wy);
   std::unordered_map<uint64_t, Jobs> jobs;
   for (const GoldenLayer& layer : window.layers) {
-    for (const GoldenSplat& one : layer.splats) jobs[one.splat.index][one.splat.part] = &one.job;
+    for (const GoldenSplat& one : layer.splats)
+      jobs[simulation_.packed.scene_index(one.splat.index)][one.splat.part] = &one.job;
   }
   BudgetReport report;
   std::vector<Pixel> pixels(static_cast<size_t>(config_.regions()) * kRegionPixels);

@@ -96,6 +96,16 @@ void ViewArguments::add(CLI::App& app, DesignPoints which) {
       "INT", [this](const std::string& text) { walk_most = parse_integer<uint64_t>(text, 0, (uint64_t{1} << 24) - 1); },
       [] { return fmt::to_string(SimulateOptions{}.walk_most); })
       .shows_default();
+  add_real(app, "--rest", rest,
+           "a pixel with less transmittance left gives all of it to its next Gaussian and stops, 0: INRIA's rule, at "
+           "1/10000 (--set t_cut)",
+           {.low = 0, .high = 0.999})
+      .shows_default();
+  add_real(app, "--lod-pixels", lod_pixels,
+           "proxies stand for the Gaussians of a group where these differ from them by less than so many pixels, 0: "
+           "nowhere (--set lod=1)",
+           {.low = 0, .high = 1024})
+      .shows_default();
   add_real(app, "--near", near_plane, "near plane, scene units", kPositive).shows_default();
 }
 
@@ -116,16 +126,22 @@ SimulateOptions ViewArguments::on(const DesignPoint& other) const {
 
 SimulateOptions ViewArguments::options() const {
   const SimulateOptions options = one_of_several();
-  check_walks({options});
+  check_fields({options});
   return options;
 }
 
-void ViewArguments::check_walks(const std::vector<SimulateOptions>& machines) const {
+void ViewArguments::check_fields(const std::vector<SimulateOptions>& machines) const {
   const auto walks = [](const SimulateOptions& one) { return one.config.has_walks(); };
   if (walk_most && std::none_of(machines.begin(), machines.end(), walks))
     throw ConfigError(
         "--walk-most: found no machine that walks windows part by part, expected one with order=2 and "
         "windows of 128 pixels, such as `fast`");
+  const auto stops = [](const SimulateOptions& one) { return one.config.early_stop != 0; };
+  if (rest != 0 && std::none_of(machines.begin(), machines.end(), stops))
+    throw ConfigError("--rest: found no machine whose pixels stop, expected one with early_stop=1");
+  const auto has_proxies = [](const SimulateOptions& one) { return one.config.lod != 0; };
+  if (lod_pixels != 0 && std::none_of(machines.begin(), machines.end(), has_proxies))
+    throw ConfigError("--lod-pixels: found no machine with levels of detail, expected one with lod=1");
 }
 
 SimulateOptions ViewArguments::one_of_several() const {
@@ -134,6 +150,8 @@ SimulateOptions ViewArguments::one_of_several() const {
   if (!window.empty()) options.window = {window.at(0), window.at(1)};
   options.walk_most = walk_most.value_or(options.walk_most);
   options.near_plane = near_plane;
+  options.rest = rest;
+  options.lod_pixels = lod_pixels;
   return options;
 }
 
@@ -159,7 +177,7 @@ std::vector<SimulateOptions> ViewArguments::options(const std::vector<const Desi
                                     first, side));
     }
   }
-  check_walks(each);
+  check_fields(each);
   return each;
 }
 

@@ -74,12 +74,15 @@ struct ViewArguments : MachineArguments {
   std::vector<std::string> design_points;
   std::optional<uint64_t> walk_most = {};  // where it is given
   double near_plane = 0.2;
+  double rest = 0;        // transmittance, SimulateOptions::rest
+  double lod_pixels = 0;  // SimulateOptions::lod_pixels
 
   void add(CLI::App& app, DesignPoints which = DesignPoints::kOne);
-  SimulateOptions options() const;  // ConfigError where --walk-most is given and no machine has walks, as all below
+  // ConfigError where a field of a frame is given that no machine has, as all below.
+  SimulateOptions options() const;
   // For who has several of one kind or another: without that check, and the check.
   SimulateOptions one_of_several() const;
-  void check_walks(const std::vector<SimulateOptions>& machines) const;
+  void check_fields(const std::vector<SimulateOptions>& machines) const;
   // On other design points; the settings must leave alone what makes one, and with --window their windows must be of
   // one size.
   std::vector<SimulateOptions> options(const std::vector<const DesignPoint*>& several) const;

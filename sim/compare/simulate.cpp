@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cpp_model/dopu/nearest/dopu_lod.hpp"
 #include "cpp_model/float/metrics.hpp"
 #include "cpp_model/float/truth.hpp"
 #include "cpp_model/frame_setup.hpp"
@@ -53,7 +54,7 @@ std::vector<MemoryTraffic> memory_traffic(const Config& config, const ExternalMe
   for (int port = 0; port < config.memory_ports(); ++port) {
     MemoryTraffic& traffic = result[memory_stream(config, port)];
     traffic.bursts += memory.traffic()[port].bursts;
-    traffic.bytes_read += 64 * memory.traffic()[port].lines_read;
+    traffic.bytes_read += 32 * memory.traffic()[port].halves_read;
     traffic.bytes_written += 32 * memory.traffic()[port].halves_written;
   }
   return result;
@@ -128,6 +129,9 @@ void simulate_frame(const PackedScene& packed, const Camera& camera, const Simul
                     Simulation& result) {
   result.input = {.packed = &packed, .frame = frame_setup(options.config, packed, camera, {}, options.near_plane)};
   if (options.config.has_walks()) result.input.frame.walk_most = options.walk_most;
+  if (options.rest != 0 && options.config.early_stop)
+    result.input.frame.raster.rest = rest_of(options.config, options.rest);
+  if (options.config.lod) result.input.frame.lod = dopu_lod_of(options.config, camera.fx, options.lod_pixels);
   if (options.raster)
     result.input.picture = raster_picture(result.input.frame.tables.pixels, result.input.frame.raster.width);
   const PixelRect r = asked_pixels(camera.width, camera.height, options);
@@ -196,8 +200,11 @@ void simulate_truth(const Scene& scene, const Camera& camera, const SimulateOpti
     return simulate_float(stage, scene, camera, options, semantics, rank);
   };
   const bool same_order = known != nullptr && known->golden.rank == result.golden.rank;
-  result.truth_order = same_order ? known->truth_order : render("truth", Semantics::kExact, &result.golden.rank);
   result.truth_exact = known != nullptr ? known->truth_exact : render("truth", Semantics::kExact, nullptr);
+  // Proxies have no place among the scene's Gaussians: what they change is numeric.
+  if (result.input.frame.lod != 0) result.truth_order = result.truth_exact;
+  else if (same_order) result.truth_order = known->truth_order;
+  else result.truth_order = render("truth", Semantics::kExact, &result.golden.rank);
   result.truth_inria = known != nullptr ? known->truth_inria : render("truth", Semantics::kInria, nullptr);
   result.wall_truth = watch.seconds();
   result.cpu_truth = process_seconds() - before;

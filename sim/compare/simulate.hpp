@@ -31,6 +31,8 @@ struct SimulateOptions {
   std::optional<PixelRect> crop;             // instead of `window`: only the windows of these pixels, and of them these
   double near_plane = 0.2;                   // scene units
   uint64_t walk_most = PIPEGS_WALK_MOST;     // Frame::walk_most, of machines that have it
+  double rest = 0;                           // transmittance, Frame::raster.rest; of machines that stop early
+  double lod_pixels = 0;                     // Frame::lod by its size of proxies; of machines that have them
   bool raster = false;                       // pixels in raster order, RGBA8; else by windows
   std::optional<std::array<int, 2>> watch;   // pixel whose blending the RTL shall show
   RtlTaps* taps = nullptr;                   // sees what the RTL shows, beside the comparison

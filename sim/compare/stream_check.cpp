@@ -110,7 +110,7 @@ std::string Mismatch::line() const {
 StreamCheck::StreamCheck(const GoldenInput& input)
     : input_(input),
       config_(input.packed->config),
-      constants_(config_),
+      constants_(config_, input.frame.raster.rest),
       rows_(config_),
       windows_x_(input.frame.raster.windows.last_x - input.frame.raster.windows.first_x + 1),
       chunk_window_(config_.units, 0),
@@ -314,6 +314,7 @@ void StreamCheck::fail(uint64_t window, Mismatch mismatch) {
   mismatch.window_x = input_.frame.raster.windows.first_x + window % windows_x_;
   mismatch.window_y = input_.frame.raster.windows.first_y + window / windows_x_;
   mismatch.cycle = cycle;
+  if (mismatch.gaussian) mismatch.gaussian = input_.packed->scene_index(*mismatch.gaussian);
   mismatch.what = text_of(mismatch);
   first_ = std::move(mismatch);
 }

@@ -92,8 +92,8 @@ void add_buffers(const Config& c, StaticCost& cost) {
     const int low = c.bucket_w() / 2;  // a bucket is {word, bit}
     add("DOPU u_nearest.u_bucket.u_heads", "scene", number, 6 << c.bucket_w(), 1, 1);
     add("DOPU u_nearest.u_bucket.u_words", "scene", 1 << low, 6 << (c.bucket_w() - low), 1, 1);
-    add("DOPU u_nearest.u_bucket.u_nodes", "scene", c.count_w() + c.slot_w() + 3 * c.world_w + c.exp_w() + number + 1,
-        nodes, 1, 1);
+    add("DOPU u_nearest.u_bucket.u_nodes", "scene", c.count_w() + c.slot_w() + c.node_place_w() + number + 1, nodes, 1,
+        1);
     add("DOPU u_nearest.u_bucket.u_back", "scene", number, nodes, 1);
     if (c.has_walks()) {  // chunks of half as many groups as places, four buckets in a word
       add("DOPU u_load.u_sums", "scene", 4 * clog2((nodes / 2 + 1) * c.group + 1), 1 << (c.load_w() - 2), 2);

@@ -24,24 +24,21 @@ std::array<double, 4> largest_coefficients(const PackedScene& packed) {
   const Config& config = packed.config;
   std::array<uint64_t, 4> largest{};
   if (packed.sh_degree > 0) {
-    const size_t per_line = static_cast<size_t>(color_slots_per_line(packed.sh_degree)),
+    const size_t per_line = static_cast<size_t>(color_slots_per_line(config, packed.sh_degree)),
                  slots = packed.slot_to_index.size();
     constexpr size_t kBlock = 16384;
     std::mutex mutex;
     parallel_for((slots + kBlock - 1) / kBlock, 0, [&](size_t block) {
       std::array<uint64_t, 4> mine{};
       for (size_t slot = block * kBlock; slot < std::min(slots, (block + 1) * kBlock); ++slot) {
-        const uint32_t* words = packed.colors[slot / per_line].data();
-        int at = static_cast<int>(slot % per_line) * 128;
-        const uint64_t exponent = get_bits(words, at, config.sh_e_w);
-        at += config.sh_e_w;
+        const ShMantissas found = sh_mantissas(config, packed.sh_degree, packed.colors[slot / per_line].data(),
+                                               color_place(config, packed.sh_degree, slot));
         for (int band = 1; band <= packed.sh_degree; ++band) {
           uint64_t magnitude = 0;
-          for (int i = 0; i < 3 * (2 * band + 1); ++i, at += config.sh_m_w) {
-            const uint64_t field = get_bits(words, at, config.sh_m_w), full = uint64_t{1} << config.sh_m_w;
-            magnitude = std::max(magnitude, field < full / 2 ? field : full - field);
-          }
-          mine[static_cast<size_t>(band)] = std::max(mine[static_cast<size_t>(band)], magnitude << exponent);
+          for (int i = sh_first(band); i < sh_first(band + 1); ++i)
+            magnitude = std::max(magnitude, static_cast<uint64_t>(std::abs(found.of[static_cast<size_t>(i)])));
+          uint64_t& most = mine[static_cast<size_t>(band)];
+          most = std::max(most, magnitude << found.exponent);
         }
       }
       const std::lock_guard lock(mutex);

@@ -37,11 +37,12 @@ DramMemory::DramMemory(const ExternalMemoryOptions& options)
   for (uint32_t i = 0; i < kFlying; ++i) free_.push_back(i);
 }
 
-void DramMemory::request(bool write, uint64_t line, int tag, int lines) {
+void DramMemory::request(bool write, uint64_t line, int tag, int lines, int halves) {
   if (write) return dram_.request(true, line, 0);
   next_line_ = line;
   lines_left_ = lines;
   tag_ = tag;
+  halves_ = halves;
   enter();
 }
 
@@ -52,7 +53,7 @@ void DramMemory::enter() {
     ++flying_;
     reads_[id] = {tag_, false};
     order_[static_cast<size_t>(tag_)].push_back(id);
-    dram_.request(false, next_line_++, id);
+    dram_.request(false, next_line_++, id, halves_);
   }
 }
 

@@ -32,7 +32,7 @@ class DramMemory final : public MemoryTiming {
 
   int step() override;
   bool ready() const override { return lines_left_ == 0 && dram_.ready() && flying_ < kFlying; }
-  void request(bool write, uint64_t line, int tag, int lines) override;
+  void request(bool write, uint64_t line, int tag, int lines, int halves = 3) override;
   const Dram* dram() const override { return &dram_; }
 
  private:
@@ -52,7 +52,7 @@ class DramMemory final : public MemoryTiming {
   int path_;
   int64_t now_ = 0;
   uint64_t next_line_ = 0;  // of a read: the next line that the DRAM has not taken, and how many there are
-  int lines_left_ = 0, tag_ = 0;
+  int lines_left_ = 0, tag_ = 0, halves_ = 3;
   uint32_t flying_ = 0;
   std::array<Read, kFlying> reads_{};
   Ring<uint32_t> free_;

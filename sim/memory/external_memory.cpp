@@ -35,6 +35,7 @@ void ExternalMemory::accept(bool write, uint64_t address, int tag, int lines, in
   }
   ++traffic.bursts;
   traffic.lines_read += static_cast<uint64_t>(lines);
+  traffic.halves_read += halves == 3 ? 2 * static_cast<uint64_t>(lines) : 1;
   for (uint64_t line = address; line < end; ++line) {
     asked_[static_cast<size_t>(tag)].push_back(line);
     ++unanswered_[line];
@@ -63,7 +64,7 @@ void ExternalMemory::set_lines(uint64_t lines) {
 
 void ExternalMemory::request(bool write, uint64_t address, int tag, const uint32_t* data, int lines, int halves) {
   accept(write, address, tag, lines, halves);
-  timing_->request(write, address, tag, lines);
+  timing_->request(write, address, tag, lines, write ? 3 : halves);
   if (write) {
     for (int half = 0; half < 2; ++half) {
       if ((halves >> half & 1) != 0) std::copy(data + 8 * half, data + 8 * half + 8, line(address).begin() + 8 * half);
@@ -71,6 +72,7 @@ void ExternalMemory::request(bool write, uint64_t address, int tag, const uint32
     return;
   }
   for (int i = 0; i < lines; ++i) read_[tag].push_back(line(address + static_cast<uint64_t>(i)));
+  if (halves != 3) std::fill_n(read_[tag].back().begin() + (halves == 1 ? 8 : 0), 8, 0xa5a5a5a5u);
 }
 
 void ExternalMemory::step() {

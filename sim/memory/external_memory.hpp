@@ -42,13 +42,14 @@ class ExternalMemory {
   };
   struct Traffic {
     uint64_t lines_read = 0, lines_written = 0;
-    uint64_t bursts = 0;          // reads, each of one to eight lines in a row
-    uint64_t halves_written = 0;  // of 32 bytes
+    uint64_t bursts = 0;                           // reads, each of one to eight lines in a row
+    uint64_t halves_read = 0, halves_written = 0;  // of 32 bytes
   };
 
   bool ready() const { return timing_->ready(); }  // may a request be accepted in this cycle
   // Accepted in this cycle: a write of one line, or a read of `lines` of them, which are answered one by one. `halves`:
-  // which 32 bytes a write changes, the low ones in bit 0.
+  // which 32 bytes a write changes, or a read of one line needs, the low ones in bit 0; the other ones of its answer
+  // are noise.
   void request(bool write, uint64_t address, int tag, const uint32_t* data, int lines = 1, int halves = 3);
   const Answer* answer() const { return shown_ ? &*shown_ : nullptr; }  // the answer shown in this cycle, if any
   void step();                                                          // the next cycle begins

@@ -16,13 +16,14 @@ PinsTiming::PinsTiming(const ExternalMemoryOptions& options) : options_(options)
   cycles_per_line_ = 64.0 / options.bytes_per_cycle;
 }
 
-void PinsTiming::request(bool write, uint64_t, int tag, int lines) {
-  for (int i = 0; i < lines; ++i) add(write, tag);
+void PinsTiming::request(bool write, uint64_t, int tag, int lines, int halves) {
+  const double share = write || halves == 3 ? 1 : 0.5;
+  for (int i = 0; i < lines; ++i) add(write, tag, share * cycles_per_line_);
 }
 
-void PinsTiming::add(bool write, int tag) {
+void PinsTiming::add(bool write, int tag, double cycles) {
   const double start = std::max(now_, pins_free_);
-  pins_free_ = start + cycles_per_line_;
+  pins_free_ = start + cycles;
   starts_.push_back(start);
   if (write) return;
   double due = start + options_.latency;

@@ -2,10 +2,10 @@
 // memory_timing.hpp: when the memory outside the chip answers, without its contents: one port for RTL and timing model.
 //
 // Idea    ExternalMemory (contents, for the RTL) and the timing model drive the same object, so that both see the same
-//         memory. PinsTiming is the ideal one: each line costs 64 / bytes_per_cycle cycles of the pins; a read answers
-//         after `latency` cycles plus a random jitter of up to `jitter` cycles, never before an earlier read of the
-//         same tag. When `queue` lines wait for the pins the port is not ready. DramMemory (dram_memory.hpp) is a DRAM
-//         with its channels, banks and rows.
+//         memory. PinsTiming is the ideal one: each line costs 64 / bytes_per_cycle cycles of the pins, half a line
+//         that is read half as many; a read answers after `latency` cycles plus a random jitter of up to `jitter`
+//         cycles, never before an earlier read of the same tag. When `queue` lines wait for the pins the port is not
+//         ready. DramMemory (dram_memory.hpp) is a DRAM with its channels, banks and rows.
 // Rule    In each cycle: step, then at most one request, only when ready; a read is of up to eight lines in a row. At
 //         most one line is answered per cycle; answers of one tag keep their order.
 // Units   Cycles of the machine's clock. Paper: Sec. 5.1 (off-chip memory).
@@ -44,12 +44,13 @@ class MemoryTiming {
   virtual ~MemoryTiming() = default;
   virtual int step() = 0;          // the next cycle begins: tag of the line answered in it
   virtual bool ready() const = 0;  // may a request be accepted in this cycle
-  // Accepted in this cycle: a write of one line, or a read of `lines` of them from `line` on. Tags 0 to 255.
-  virtual void request(bool write, uint64_t line, int tag, int lines) = 0;
+  // Accepted in this cycle: a write of one line, or a read of `lines` of them from `line` on. Tags 0 to 255. `halves`:
+  // which 32 bytes a read of one line needs, the low ones in bit 0; all of others.
+  virtual void request(bool write, uint64_t line, int tag, int lines, int halves = 3) = 0;
   // Both at once, for a port whose readiness depends on what is asked: was it accepted? At most once in a cycle.
-  virtual bool offer(bool write, uint64_t line, int tag, int lines) {
+  virtual bool offer(bool write, uint64_t line, int tag, int lines, int halves = 3) {
     if (!ready()) return false;
-    request(write, line, tag, lines);
+    request(write, line, tag, lines, halves);
     return true;
   }
   virtual const Dram* dram() const { return nullptr; }  // for its statistics, if it is one
@@ -61,7 +62,7 @@ class PinsTiming final : public MemoryTiming {
 
   int step() override;
   bool ready() const override { return starts_.size() < static_cast<size_t>(options_.queue); }  // those wait
-  void request(bool write, uint64_t line, int tag, int lines) override;
+  void request(bool write, uint64_t line, int tag, int lines, int halves = 3) override;
 
  private:
   struct Pending {
@@ -71,7 +72,7 @@ class PinsTiming final : public MemoryTiming {
     bool operator>(const Pending& other) const { return due != other.due ? due > other.due : order > other.order; }
   };
 
-  void add(bool write, int tag);  // one line
+  void add(bool write, int tag, double cycles);  // one line, so long on the pins
 
   ExternalMemoryOptions options_;
   double cycles_per_line_;

@@ -57,6 +57,8 @@ MeasurementStore::MeasurementStore(std::filesystem::path folder, const Scene& sc
       {"measured_by", kMeasuredBy},  {"scene", valid_utf8(scene.name)},         {"gaussians", scene.gaussians.size()},
       {"contents", contents(scene)}, {"camera", {camera.width, camera.height}}, {"pose", pose_of(camera)},
       {"near", options.near_plane},  {"walk_most", options.walk_most},          {"memory", m.dram}};
+  if (options.rest != 0) view_["rest"] = options.rest;
+  if (options.lod_pixels != 0) view_["lod_pixels"] = options.lod_pixels;
   if (m.dram == "ideal") view_["ideal"] = {m.latency, m.bytes_per_cycle, m.jitter, m.seed};
   if (options.window) view_["window"] = *options.window;
   if (options.crop) view_["crop"] = {options.crop->x0, options.crop->y0, options.crop->x1, options.crop->y1};

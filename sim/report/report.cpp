@@ -135,6 +135,8 @@ Json report_json(const Scene& scene, const Camera& camera, const SimulateOptions
   }
   config["memory_bytes_per_cycle"] = memory_peak(options.memory);
   if (options.config.has_walks()) config["walk_most"] = options.walk_most;
+  if (options.rest != 0) config["rest"] = options.rest;
+  if (options.lod_pixels != 0) config["lod_pixels"] = options.lod_pixels;
   config["picture"] = options.raster ? "raster" : "windows";
   config["seed"] = options.rtl.seed;
   report["config"] = config;

@@ -20,7 +20,7 @@ class LineReader {
   };
 
   LineReader(int items_per_line, uint64_t base, int jobs, int lines)
-      : half_(items_per_line - 1), base_(base), credits_(lines), most_jobs_(jobs), jobs_(jobs) {}
+      : per_line_(static_cast<uint32_t>(items_per_line)), base_(base), credits_(lines), most_jobs_(jobs), jobs_(jobs) {}
 
   // --- items, for their taker ----------------------------------------------------------------------------------------
   bool item_shown(Cycle now) const { return jobs_.valid(now) && (!jobs_.front().read || line_valid_); }
@@ -29,7 +29,7 @@ class LineReader {
   void pop_item(Cycle now) {
     const Job& job = jobs_.front();
     const bool last = !job.read || item_ + 1 == job.count;
-    line_popped_ = job.read && (last || half_ == 0 || ((job.first + item_) & 1) != 0);
+    line_popped_ = job.read && (last || (job.first + item_ + 1) % per_line_ == 0);
     item_ = last ? 0 : item_ + 1;
     if (last) jobs_.pop(now);
   }
@@ -56,9 +56,8 @@ class LineReader {
       taken_at_ = now;
       jobs_.push(now, *job);
       if (job->read) {
-        line_ = base_ + (job->first >> half_);
-        lines_left_ = static_cast<int>(
-            (job->count + static_cast<uint32_t>(half_) + (job->first & static_cast<uint32_t>(half_))) >> half_);
+        line_ = base_ + job->first / per_line_;
+        lines_left_ = static_cast<int>((job->first % per_line_ + job->count + per_line_ - 1) / per_line_);
         free_from_ = kNever;
       }
     }
@@ -84,7 +83,7 @@ class LineReader {
  private:
   static constexpr int kGroup = 8;  // lines: a request goes to the end of the job or of its group
 
-  int half_;
+  uint32_t per_line_;  // items
   uint64_t base_, line_ = 0;
   int lines_left_ = 0, credits_, stored_ = 0;
   Cycle free_from_ = kLongAgo, taken_at_ = kLongAgo;

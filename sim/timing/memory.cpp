@@ -2,6 +2,8 @@
 // memory.cpp: see memory.hpp.
 #include "sim/timing/memory.hpp"
 
+#include <bit>
+
 #include "sim/timing/machine.hpp"
 
 namespace pipegs::timing {
@@ -37,12 +39,12 @@ void Memory::step(Machine& machine, Cycle now) {
   if (wanted_ == 0 && !out_valid_) return;
 
   bool free = !out_valid_;
-  if (out_valid_ && timing_.offer(out_.write, out_.line, out_port_, out_.lines)) {
+  if (out_valid_ && timing_.offer(out_.write, out_.line, out_port_, out_.lines, out_.write ? 3 : out_.halves)) {
     const auto port = static_cast<size_t>(out_port_);
     if (out_.write) {
-      written_[port] += static_cast<uint64_t>(out_.halves);
+      written_[port] += static_cast<uint64_t>(std::popcount(static_cast<unsigned>(out_.halves)));
     } else {
-      ++bursts_[port], read_[port] += static_cast<uint64_t>(out_.lines);
+      ++bursts_[port], read_[port] += out_.halves == 3 ? 2 * static_cast<uint64_t>(out_.lines) : 1;
     }
     machine.show(now, Border::kRequest, out_port_, shown_request(out_.line, out_.write, out_.lines));
     last_accepted_ = now;

@@ -22,8 +22,9 @@ class Memory {
  public:
   Memory(MemoryTiming& timing, const Config& config);
 
-  // lines: of a read, in a row; halves: of the line that a write changes.
-  void ask(int port, uint64_t line, bool write = false, int lines = 1, int halves = 2) {
+  // lines: of a read, in a row; halves: of the line, what a write changes or a read of one line needs, the low one in
+  // bit 0.
+  void ask(int port, uint64_t line, bool write = false, int lines = 1, int halves = 3) {
     wanted_ |= uint64_t{1} << port, request_[static_cast<size_t>(port)] = {line, write, lines, halves};
   }
   bool granted(int port, Cycle now) const { return granted_ == port && grant_at_ == now; }
@@ -34,7 +35,7 @@ class Memory {
 
   Cycle last_accepted() const { return last_accepted_; }
   uint64_t bursts(int port) const { return bursts_[static_cast<size_t>(port)]; }
-  uint64_t lines_read(int port) const { return read_[static_cast<size_t>(port)]; }
+  uint64_t halves_read(int port) const { return read_[static_cast<size_t>(port)]; }
   uint64_t halves_written(int port) const { return written_[static_cast<size_t>(port)]; }
 
   // Ports, see rtl/pipegs_top.sv.
@@ -52,7 +53,7 @@ class Memory {
     uint64_t line = 0;
     bool write = false;
     int lines = 1;
-    int halves = 2;
+    int halves = 3;
   };
 
   MemoryTiming& timing_;

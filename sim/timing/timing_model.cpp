@@ -34,7 +34,7 @@ TimingResult timing_run(const TimingTrace& trace, const Config& config, MemoryTi
   for (int port = 0; port < config.memory_ports(); ++port) {
     MemoryTraffic& stream = result.streams[memory_stream(config, port)];
     stream.bursts += machine->memory.bursts(port);
-    stream.bytes_read += 64 * machine->memory.lines_read(port);
+    stream.bytes_read += 32 * machine->memory.halves_read(port);
     stream.bytes_written += 32 * machine->memory.halves_written(port);
   }
   return result;

@@ -43,10 +43,11 @@ mutant "the turn goes on from the wrong port" 's/last_q <= port/last_q <= shown_
 proof  arbiter_machine "pipegs_arbiter+ pipegs_round_robin pipegs_first_set" "machine"
 mutant "the lowest port always comes first" "s/last_i\(last_q\)/last_i({PortW{1'b1}})/" "Ports=21"
 
-# Jobs for lines with one item and with two, in a small buffer.
+# Jobs for lines with one item, two and four, in a small buffer.
 proof  line_reader "pipegs_line_reader+ pipegs_fifo+ free_sram" \
        "@default %MemoryW=4 %AddressW=6 %BurstW=1 TagW=1 ItemW=2 ItemsPerLine=2 Lines=4 Jobs=2 IndexW=4 CountW=3;
   @default %MemoryW=4 %AddressW=6 %BurstW=2 TagW=1 ItemW=2 ItemsPerLine=1 Lines=4 Jobs=2 IndexW=4 CountW=3;
+  @default %MemoryW=8 %AddressW=6 %BurstW=1 TagW=1 ItemW=2 ItemsPerLine=4 Lines=4 Jobs=2 IndexW=5 CountW=4;
   @default %MemoryW=8 %AddressW=6 TagW=2 ItemW=4 ItemsPerLine=2 Lines=64 Jobs=8 IndexW=6 CountW=5"
 mutant "asks without credits" 's/(asks_q <= left) \&\& places/\1/'
 mutant "an answer that is used frees no place at once" 's/load \? free_both : free_issue/free_issue/'
@@ -176,7 +177,13 @@ mutant "the last beat goes to the lowest place" 's/line_o = \{last_q, parts\}/li
 proof  axi_read "pipegs_axi_read+ pipegs_axi_gather free_sram axi_check" \
        "@default %MemoryW=16 %AddressW=13 %TagW=1 %MemoryPorts=2 %BusW=16 %AxiAddrW=16 AddrW=16 Reads=3;
   @default %MemoryW=16 %AddressW=13 %TagW=1 %MemoryPorts=2 %BusW=8 %AxiAddrW=16 AddrW=16 Reads=3;
-  @default %MemoryW=32 %AddressW=13 %TagW=1 %MemoryPorts=2 %BusW=8 %AxiAddrW=16 AddrW=16 Reads=3"
+  @default %MemoryW=32 %AddressW=13 %TagW=1 %MemoryPorts=2 %BusW=8 %AxiAddrW=16 AddrW=16 Reads=3;
+  @record=48 %MemoryW=32 %AddressW=13 %TagW=1 %MemoryPorts=2 %BusW=32 %AxiAddrW=16 AddrW=16 Reads=3;
+  @record=48 %MemoryW=32 %AddressW=13 %TagW=1 %MemoryPorts=2 %BusW=8 %AxiAddrW=16 AddrW=16 Reads=3"
+mutant "the other half of the line" "s/halves == 2'b10/halves == 2'b01/" \
+       "@record=48 %MemoryW=32 %AddressW=13 %TagW=1 %MemoryPorts=2 %BusW=32 %AxiAddrW=16 AddrW=16 Reads=3"
+mutant "all beats of half a line" "s/halves != '1 \? 8'\(HalfBeats - 1\) : //" \
+       "@record=48 %MemoryW=32 %AddressW=13 %TagW=1 %MemoryPorts=2 %BusW=8 %AxiAddrW=16 AddrW=16 Reads=3"
 mutant "the address is written over while it waits" 's/free       = !ar_valid_q \|\| m_axi_i.ar_ready/free = 1/'
 mutant "one beat too many" "s/ - 8'd1;/;/"
 mutant "beats of half the bus" 's/(DataW) \/ 8\)\);$/\1 \/ 16));/' \
@@ -200,7 +207,9 @@ proof  axi_manager \
   @default %MemoryW=32 %AddressW=13 %TagW=2 %MemoryPorts=3 %WritePorts=2 %BusW=8 %AxiAddrW=16 AddrW=16 Reads=3
   Writes=3 Fenced=2;
   @default %AddressW=10 %TagW=2 %MemoryPorts=3 %WritePorts=2 %BusW=128 %AxiAddrW=16 AddrW=16 Reads=3 Writes=3 Fenced=2;
-  @default %AddressW=10 %TagW=2 %MemoryPorts=3 %WritePorts=2 %BusW=512 %AxiAddrW=16 AddrW=16 Reads=3 Writes=3 Fenced=2"
+  @default %AddressW=10 %TagW=2 %MemoryPorts=3 %WritePorts=2 %BusW=512 %AxiAddrW=16 AddrW=16 Reads=3 Writes=3 Fenced=2;
+  @record=48 %AddressW=10 %TagW=2 %MemoryPorts=3 %WritePorts=2 %BusW=512 %AxiAddrW=16 AddrW=16 Reads=3 Writes=3
+  Fenced=2"
 mutant "the fence does not see the writes" 's/writes_i\(writes\)/writes_i(writes ^ writes)/'
 mutant "the last tag that may write is not fenced" 's/WritePorts\)\)/WritePorts) - 1)/'
 mutant "a read is accepted without room" 's/ \&\& read_room;/;/'
@@ -470,7 +479,12 @@ mutant "the place of a node that failed stays reserved" \
 mutant "a chunk that is shown is taken back when its window is done" 's/ \&\& !shown_q;/;/'
 mutant "a chunk counts as shown when it is taken" 's/(shown_q <= chunk_valid_o \&\& )!/\1/'
 mutant "an end is dropped with its window" 's/(chunk_done    = )chunk_kind_o == pipegs_pkg::KindData \&\& /\1/'
-proof  dopu_open "dopu_open+ free_line_reader" "@late=1,order=2 %SlotW=6 %CountW=4 Most=4 Lines=4;
+proof  dopu_lod "dopu_lod+" "@late=1,order=2,lod=1; @late=1,order=2,lod=1,bucket_bits=7,group=64,chunk=64"
+mutant "the group's own chunks are opened, too" 's/(coarse \? \{.*), first \+ SlotW.\(count\)/\1, first/'
+mutant "the last chunk of proxies is not opened" 's/\(count \+ CountW.\(2 \*\* Shift - 1\)\)/count/'
+mutant "a group that has no proxies takes them" "s/ \|\| error == '1;/;/"
+mutant "proxies stand near and not far" 's/>= \$unsigned\(least\)/<= $unsigned(least)/'
+proof  dopu_open "dopu_open+ free_line_reader" "@late=1,order=2 %SlotW=6 %ChildrenW=4 Most=4 Lines=4;
        @late=1,order=2 %BucketW=4 Most=16 Lines=64"
 mutant "one bucket too many is opened" 's/!open_q\[Most-1\]/1/'
 mutant "a bucket opened while one is settled is lost" 's/\(take \? open_q : fewer\)/fewer/'

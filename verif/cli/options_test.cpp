@@ -71,6 +71,13 @@ TEST_F(Options, NumbersAreDecimal) {
   EXPECT_EQ(config["seed"], 18446744073709551615ull);
 }
 
+TEST_F(Options, RestIsForMachinesWhosePixelsStop) {
+  expect_refused("model" + view_ + "--rest 0.1 --set early_stop=0", "--rest: found no machine whose pixels stop");
+  expect_refused("model" + view_ + "--rest 1", "--rest: found '1', expected a number");
+  expect_refused("pack" + view_ + "--rest 0.1", "--rest: found one, expected none");
+  EXPECT_EQ(run("model" + view_ + "--rest 0.1").code, 0);
+}
+
 // Where no machine walks windows part by part there is nothing that it could say.
 TEST_F(Options, WalkMostIsForMachinesWithWalks) {
   const std::string refused = "--walk-most: found no machine that walks windows part by part";

@@ -82,13 +82,18 @@ TEST_F(Example, EndsWhereMemoryIsSilent) {
   EXPECT_EQ(said, "memory did not answer a read for BUS_TIMEOUT cycles");
 }
 
-// A machine with other records than the scene was packed for.
+// Machines with other records than the scene was packed for: of other widths, and with codes in their place.
 TEST(OtherMachine, IsRefused) {
-  DriverBus bus(Config{}, 1);
-  machine = &bus;
-  EXPECT_EQ(pipegs_example(), 1);
-  EXPECT_EQ(said, "this machine cannot render this scene from this camera");
-  EXPECT_TRUE(bus.writes.empty());
+  Config coded = find_design_point(kDefaultDesignPoint).config;
+  coded.record = 48;
+  for (const Config& config : {Config{}, coded}) {
+    DriverBus bus(config, 1);
+    machine = &bus;
+    said.clear();
+    EXPECT_EQ(pipegs_example(), 1);
+    EXPECT_EQ(said, "this machine cannot render this scene from this camera");
+    EXPECT_TRUE(bus.writes.empty());
+  }
 }
 
 }  // namespace

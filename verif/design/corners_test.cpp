@@ -104,11 +104,12 @@ TEST(Corners, ReachBothEndsOfEveryEntry) {
   }
 }
 
-// Half a line holds a node, a line one or two Gaussians, a splat that a Sorting Unit spills or a list keeps, the SH of
-// degree 3; the part of a key in a list has 64 bits, and so has a slot of the registers.
+// Half a line holds a node, a line one or two Gaussians or four codes, a splat that a Sorting Unit spills or a list
+// keeps, the SH of degree 3; the part of a key in a list has 64 bits, and so has a slot of the registers.
 void expect_room(const Config& config, const std::string& which) {
   EXPECT_LE(record_width<Node>(config), config.memory_w() / 2) << which;
-  EXPECT_LE(record_width<GaussianRecord>(config), config.memory_w() / config.gaussians_per_line()) << which;
+  const int geometry = config.coded() ? record_width<GaussianCode>(config) : record_width<GaussianRecord>(config);
+  EXPECT_LE(geometry, config.memory_w() / config.gaussians_per_line()) << which;
   EXPECT_LE(record_width<Splat>(config), config.memory_w()) << which;
   EXPECT_LE(45 * config.sh_m_w + config.sh_e_w, config.memory_w()) << which;
   EXPECT_LE(config.key_w(), 64) << which;

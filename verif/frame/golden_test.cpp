@@ -290,6 +290,42 @@ TEST(Golden, AWindowHasTheChunksOfTheWalkThatTheMachineMakes) {
   EXPECT_GT(other, 0u) << "no window in which the difference shows";
 }
 
+// What a frame's `rest` may change: of a pixel the share of its light that was left, from one colour to another.
+TEST(Golden, ARestChangesAPixelByLessThanItself) {
+  for (const char* point : {"fast", "dop", "exact"}) {
+    SimulateOptions options;
+    options.config = find_design_point(point).config;
+    Scene scene = random_scene(51, 3000, 1);
+    const Camera camera = test_camera(200, 150);
+    Simulation all;
+    simulate_golden(scene, camera, options, all);
+    uint64_t blended = all.golden.work.blended;
+    for (const double rest : {0.001, 0.02, 0.1, 0.5}) {
+      SCOPED_TRACE(fmt::format("{}, rest {}", point, rest));
+      options.rest = rest;
+      Simulation early;
+      simulate_golden(scene, camera, options, early);
+      EXPECT_LE(early.golden.work.blended, blended);
+      blended = early.golden.work.blended;
+      double most = 0, brightest = 0;
+      for (size_t i = 0; i < all.golden.image.rgb.size(); ++i) {
+        for (int c = 0; c < 3; ++c) {
+          most = std::max(most, std::abs(early.golden.image.rgb[i][c] - all.golden.image.rgb[i][c]));
+          brightest = std::max(brightest, all.golden.image.rgb[i][c]);
+        }
+      }
+      EXPECT_LE(most, rest * 4 + 0.01) << "a colour is below 4";
+      if (rest >= 0.1) EXPECT_GT(most, 0.001) << "nothing was left out";
+      EXPECT_GT(brightest, 0.2);
+    }
+    EXPECT_LT(blended, all.golden.work.blended * 9 / 10);
+    options.rest = 0;
+    Simulation again;
+    simulate_golden(scene, camera, options, again);
+    EXPECT_EQ(again.golden.pixels, all.golden.pixels);
+  }
+}
+
 // Walked whole, part by part, or some so and some so: the same pixels, from the same pairs.
 TEST(Golden, WindowsWalkedPartByPartGiveTheSamePixels) {
   SimulateOptions options;

@@ -23,8 +23,9 @@ struct Machine {
 // The machine of Table 2, then half of it, with the second cull, and a quarter, with PUs of four cycles and stores so
 // small that every one of them overflows; then the other design points of the ladder, and `exact` that leaves out what
 // is hidden, with a pool so small that it spills, and with the numbers of sim/fine.cfg and lanes that blend living
-// quads; then `late` with coarse numbers, without some parts, and PUs of four cycles; and `fast` with PUs of eight that
-// leaves out nothing of what is hidden, and with pools that spill and the shortest queue; and `wide`. Buses of all
+// quads; then `late` with coarse numbers, without some parts, and PUs of four cycles; and `fast` with PUs of eight and
+// proxies that leaves out nothing of what is hidden, and with codes, proxies, pools that spill and the shortest queue;
+// and `wide`. Buses of all
 // widths are among them, and a machine without one; clocks that never stop, too.
 inline const std::vector<Machine> kMachines = {
     {"dop"},
@@ -42,8 +43,8 @@ inline const std::vector<Machine> kMachines = {
     {"late",
      {"antialias=1", "alpha_cut=128", "tile_test=0", "pace=4", "exp_linear=0", "t_cut=1000", "guard_band=0",
       "early_stop=0", "bus_w=0", "taps=0"}},
-    {"fast", {"occlusion=0", "pace=8"}},
-    {"fast", {"records=48", "nearest_nodes=128"}},
+    {"fast", {"occlusion=0", "pace=8", "lod=1"}},
+    {"fast", {"records=48", "nearest_nodes=128", "record=48", "lod=1"}},
     {"wide"}};
 
 // Their numbers.

@@ -36,6 +36,12 @@ class Sequence {
     simulate_frame(packed, camera, options_, next);
     simulate_golden(options_, next);
   }
+  // Of the frames to come: transmittance below which a pixel's next Gaussian takes all, 0: INRIA's rule.
+  void rest(double transmittance) { options_.rest = transmittance; }
+  // Of the frames to come: proxies of groups that differ by less than so many pixels.
+  void lod_pixels(double pixels) { options_.lod_pixels = pixels; }
+  // That a frame fetches, by the golden model.
+  uint64_t gaussians(size_t frame) const { return simulations_.at(frame)->golden.work.fetched; }
   void expect_equal() {
     expect_equal(true);
     if (!testing::Test::HasFatalFailure()) expect_equal(false);

@@ -84,6 +84,48 @@ TEST(Sequence, WhatIsOpaqueInOneFrameIsOpenInTheNext) {
   }
 }
 
+// A frame's own limit goes with it: no pixel of one stops by the rule of the next, which begins while the RUs finish.
+TEST(Sequence, EachFrameHasItsOwnRest) {
+  Scene scene = random_scene(66, 900, 1);
+  for (Gaussian& gaussian : scene.gaussians) gaussian.log_scale += 0.7f;  // most pixels become opaque
+  for (const size_t i : todays()) {
+    if (!machine(i).config.early_stop) continue;
+    SCOPED_TRACE(config_difference(machine(i).config));
+    Sequence sequence(machine(i));
+    sequence.add(scene, test_camera(130, 70));
+    for (const double rest : {0.3, 0.0, 0.02, 0.999}) {
+      sequence.rest(rest);
+      sequence.add(test_camera(130, 70));
+    }
+    sequence.expect_equal();
+    if (HasFatalFailure()) return;
+  }
+}
+
+// Proxies and none in turn, of a scene that stays where it is: what is open of one frame knows nothing of the level of
+// the next one.
+TEST(Sequence, EachFrameHasItsOwnLevelOfDetail) {
+  Scene scene = random_scene(67, 6000, 1);
+  for (Gaussian& gaussian : scene.gaussians) {  // alike, so that few stand for many
+    gaussian.sh_dc = glm::vec3(0.5f);
+    gaussian.log_scale = glm::vec3(-1.2f);  // larger than their distance, so that merged ones are as wide
+  }
+  std::fill(scene.sh_rest.begin(), scene.sh_rest.end(), 0.0f);
+  for (const size_t i : todays({kHidden, kCrowded})) {
+    SCOPED_TRACE(config_difference(machine(i).config));
+    Sequence sequence(machine(i));
+    sequence.add(scene, test_camera(130, 70));
+    for (const double pixels : {1000.0, 0.01, 0.0, 500.0, 0.02}) {
+      sequence.lod_pixels(pixels);
+      sequence.add(test_camera(130, 70));
+    }
+    sequence.expect_equal();
+    if (HasFatalFailure()) return;
+    for (const size_t coarse : {1, 4}) EXPECT_LT(sequence.gaussians(coarse), sequence.gaussians(0) * 3 / 4) << coarse;
+    for (const size_t whole : {2, 3, 5}) EXPECT_EQ(sequence.gaussians(whole), sequence.gaussians(0)) << whole;
+  }
+}
+
 // Frames that sort otherwise (another near plane) wait until the SUs are empty.
 TEST(Sequence, TheMemoryAndTheNearPlaneMayChange) {
   const Scene scene = random_scene(64, 1500, 1);

@@ -49,6 +49,7 @@ class Pair : public Endpoint {
         run_ = bench.rng() % 16;
       }
       request_.lines = request_.write ? 0 : bench.rng() % (8 - request_.address % 8);
+      request_.halves = config.coded() && !request_.write && request_.lines == 0 ? 1 + bench.rng() % 3 : 3;
       last_ = request_.address + request_.lines;
     }
     dut.mem_valid_i = up_;
@@ -65,7 +66,7 @@ class Pair : public Endpoint {
     }
     if (!up_) return;
     const bool accepted = model.offer(request_.write, request_.address, static_cast<int>(request_.tag),
-                                      1 + static_cast<int>(request_.lines));
+                                      1 + static_cast<int>(request_.lines), static_cast<int>(request_.halves));
     ASSERT_EQ(dut.mem_ready_o, accepted) << (request_.write ? "write" : "read") << " of tag " << request_.tag << ", "
                                          << at;
     refused += !accepted;

@@ -23,7 +23,7 @@ struct CoreRequest {
   int tag = 0;
   int lines = 1;
   MemoryLine data{};
-  int halves = 3;  // of the line, that a write changes
+  int halves = 3;  // of the line, that a write changes or a read of one line needs
 };
 
 class CorePort : public Endpoint {
@@ -53,7 +53,8 @@ class CorePort : public Endpoint {
     request.line = (writer ? 0 : kFixed) + bench_.rng() % kShared;
     request.lines = request.write ? 1 : 1 + static_cast<int>(bench_.rng() % (8 - request.line % 8));
     request.data = random_line();
-    if (request.write) request.halves = 1 + static_cast<int>(request.data[0] % 3);
+    const bool reads_half = config.coded() && request.lines == 1;
+    if (request.write || reads_half) request.halves = 1 + static_cast<int>(request.data[0] % 3);
     return request;
   }
   MemoryLine random_line() {
@@ -113,7 +114,7 @@ class CorePort : public Endpoint {
     } else {
       for (int i = 0; i < request.lines; ++i) {
         const uint64_t line = request.line + static_cast<uint64_t>(i);
-        due_[static_cast<size_t>(request.tag)].push_back({line, model[line]});
+        due_[static_cast<size_t>(request.tag)].push_back({line, request.halves, model[line]});
         ++reading_[line];
       }
     }
@@ -137,6 +138,7 @@ class CorePort : public Endpoint {
  private:
   struct Due {
     uint64_t line;
+    int halves;  // of it that were asked for
     MemoryLine data;
   };
   std::string at() const { return "cycle " + std::to_string(bench_.cycle) + ", seed " + std::to_string(bench_.seed); }
@@ -157,6 +159,9 @@ class CorePort : public Endpoint {
     ASSERT_FALSE(due.empty()) << "tag " << tag << ": an answer to nothing, " << at();
     MemoryLine data;
     read_port(dut.rsp_data_o, data.data());
+    for (size_t i = 0; i < 16; ++i) {
+      if ((due.front().halves >> i / 8 & 1) == 0) data[i] = due.front().data[i];
+    }
     ASSERT_EQ(data, due.front().data) << "tag " << tag << ", line " << due.front().line << ", " << at();
     --reading_[due.front().line];
     due.pop_front();

@@ -3,6 +3,7 @@
 // which a read is not answered. What it holds where nobody has written is noise.
 #include <gtest/gtest.h>
 
+#include <numeric>
 #include <set>
 
 #include "sim/memory/external_memory.hpp"
@@ -44,6 +45,19 @@ TEST(ExternalMemory, RefusesAWriteOfALineThatIsBeingRead) {
     answers += memory.answer() != nullptr;
   }
   EXPECT_EQ(answers, 2);
+}
+
+TEST(ExternalMemory, AReadOfHalfALineGivesThatHalfAndCountsAsOne) {
+  ExternalMemory memory({.latency = 3});
+  std::iota(memory.line(9).begin(), memory.line(9).end(), 1u);
+  for (const int halves : {1, 2, 3}) {
+    memory.step();
+    memory.request(false, 9, 2, nullptr, 1, halves);
+    while (memory.answer() == nullptr) memory.step();
+    const MemoryLine& line = memory.answer()->data;
+    for (uint32_t i = 0; i < 16; ++i) EXPECT_EQ(line[i] == i + 1, (halves >> i / 8 & 1) != 0) << halves;
+  }
+  EXPECT_EQ(memory.traffic()[2].halves_read, 4u);
 }
 
 TEST(ExternalMemory, HoldsNoiseWhereNobodyHasWritten) {

@@ -34,6 +34,12 @@ mutant dopu_windows "a part is on trial, too" 's/(on_trial = judges_i) && !parts
 mutant dopu_nearest "a window on trial opens groups" 's/!held_back && open_ready/open_ready/' dopu_nearest_fast
 mutant pipegs_dopu "the end of a walk that is given up goes to the PUs" \
        's/(given_up    = walk_end) && /\1 \&\& 1'"'"'b0 \&\& /' dopu_nearest_fast
+mutant dopu_lod "the near plane's step does not count" "s/ - \\\$signed\(SumW'\(near_step_i\)\)//"
+mutant dopu_lod "an error of half the size" 's/<< Coarser/<< (Coarser - 2)/'
+mutant dopu_lod "a group at its limit keeps its Gaussians" 's/>= \$unsigned\(least\)/> $unsigned(least)/'
+mutant dopu_rank "cells have proxies, too" "s/(ranked_q.level) == 2'd1/\1 != 2'd2/" \
+       dopu_nearest_open
+mutant dopu_cells "an entry of 128 groups is empty" "s/item\[.*ChildrenW\] != '0/item.count != '0/" dopu_nearest_open
 mutant dopu_load "the last group alone counts" "s/sum_q (\+ SumW'\(group)/\1/"
 mutant dopu_load "a group ends in its last bucket" "s/(: near0_q\}) \+ 1'b1/\1/"
 mutant dopu_load "a word that is just written is read" 's/again_q \? sums_q : //'
@@ -61,7 +67,7 @@ mutant pipegs_line_reader "the last line of a chunk is kept when it is half full
        pu_fetch
 mutant dopu_cells "both cells of a line are its first one" "s/(item_half_q <= )cell_i\[0\]/\11'b0/" dopu
 mutant dopu_cells "the last slab but one ends the window" 's/layer_q == LastLayer/layer_q == LastLayer - 1'"'"'b1/' dopu
-mutant dopu_cells "an empty entry is shown" "s/(is_shown .*) \|\| item\.count != '0/\1 || 1'b1/" dopu_nearest_small
+mutant dopu_cells "an empty entry is shown" "s/(item\[.*ChildrenW\]) != '0/\1 >= '0/" dopu_nearest_small
 mutant dopu_cells "the last line of the table is not loaded" \
        's/(TableLines *= .*TableCells) \+ 1/\1 - 1/' dopu_nearest_small
 mutant dopu_cells "the last entry of the table is not walked" 's/(SlabCells) - 1\)/\1 - 2)/' dopu_nearest_small
@@ -77,8 +83,8 @@ mutant dopu_rank "the smaller of own and parent's bucket instead of the larger" 
 mutant dopu_rank "the third test's result is taken for the second's" "s/valid\[1\] \? 2'd1 : 2'd2/2'd1/" dopu_nearest
 mutant dopu_send "a watermark is sent although it has not risen" 's/(mark_due *= .*) && risen/\1/' dopu_nearest
 mutant dopu_send "what is shown is taken back when its window is done" 's/ && !shown_q;/;/' dopu_nearest
-mutant dopu_open "the last child but one counts as the last too" \
-       "s/(child_last_o = )(CountW'\(index\)) == last/\1\2 == last || \2 + 1'b1 == last/" dopu_nearest
+mutant pipegs_line_reader "the last item but one of a job is marked as the last, too" \
+       "s/(out_last_o *= )last;/\1last || item_q + 2'd2 == job_count;/" dopu_nearest
 mutant dopu_bucket "a word of buckets is given up although another chain is left in it" \
        's/if \(!own_left\) some_q/some_q/'
 mutant dopu_bucket "an insert forgets the other chains of its word" "s/some_own_q \? read : '0/'0/"
@@ -100,6 +106,12 @@ mutant pipegs_recip "one unit in one entry of the table" "s/18'd204596/18'd20459
 mutant pipegs_recip "the result is cut instead of rounded" 's/ \+ \(\(OutF \+ 1\).\(1\) << \(Cut - 1\)\)//'
 mutant pu_phases "a new record is let into an output that was not taken" \
        's/(out_free *= )!out_valid_q \|\| out_ready_i/\11/' pu_shape
+mutant pipegs_sqrt "half of the rounding dropped" "s/ExactW'\(1\) << \(DropF - 1\)/ExactW'(0)/"
+mutant pu_decode "the largest component stands one place off" "s/axis == 2'd1 \? largest/axis == 2'd2 ? largest/"
+mutant pu_decode "a transparent Gaussian may be as large as an opaque one" "s/PlaceW'\(48\)/PlaceW'(0)/"
+mutant pu_decode "the last code is a small scale" "s/steps == '1 \|\| //"
+mutant pu_decode "an end has scales" 's/ & \{3 \* ScaleW\{data\}\}//'
+mutant pu_decode "a stage goes on while the output waits" 's/ & \{Stages\{fetched_ready_i\}\}//'
 mutant pu_cull "rounding of the view coordinates: + half becomes - half" \
        's/\+ (\$signed\(\(SumW \+ 1\).\(1\)\)\) >>> 1)/- \1/'
 mutant pu_cull "a part reaches as far as its window" "s/walk6\[2\] \? SpanW/1'b0 ? SpanW/" pu_cull_tight
@@ -233,6 +245,9 @@ mutant pu_done "what is done in the window above is done" 's/ && progress\.y\[j\
 # --- rtl/pu: colour ---------------------------------------------------------------------------------------------------
 group color "PU: colour"
 mutant pipegs_rsqrt "rounding: half becomes one" 's/<< \(DropF - 1\)/<< DropF/'
+mutant pu_color_sum "a Gaussian without bands takes a line, too" 's/(line_ready_o +=) pop && shaded/\1 pop/' pu_color
+mutant pu_color_sum "the last pair of degree 1 is left out" \
+       "s/2'd1:( +)last_step = 3'd1/2'd1:\1last_step = 3'd0/" pu_color
 mutant pu_color_rotate "w12 for w21" 's/(row_b = [a-z_.]*)w21/\1w12/' pu_color
 mutant pu_color_normalise "does not wait for its output register" \
        "s/\(step_q != 3'd2 \|\| !unit_valid_q \|\| unit_ready_i\)/1/" pu_color
@@ -241,7 +256,11 @@ mutant pu_color_basis "a result lands in an output that was not taken" \
 mutant pu_color_fetch "a line behind the table is asked for" 's/number < colors_i/number <= colors_i/' pu_color
 mutant pu_color_fetch "a job behind a bad one is taken" 's/ && !bad_q;/;/' pu_color
 mutant pu_color_fetch "a job is taken while a request is pending" 's/room && !mem_valid_q/room/' pu_color
-mutant pu_color_sum "coefficients masked at the wrong degree" "s/degree == 2'd1(\) coefs)/degree == 2'd2\1/" pu_color
+mutant pu_color_mantissas "coefficients masked at the wrong degree" \
+       "s/degree_i == 2'd1(\) coefs)/degree_i == 2'd2\1/" pu_color
+mutant pu_color_codes "band 3 has the exponent of band 2" 's/i < 8 \? 1 : 2/1/' pu_color_coded
+mutant pu_color_codes "codes are taken for mantissas" 's/ << shift_pair.of\[i\/3\]//' pu_color_coded
+mutant pu_color_codes "the eighths of the lower half only" 's/one \? quarter_i\[2\] : //' pu_color_coded
 mutant pu_color "busy: AND for OR" 's/fetch_busy \|\| sum_busy/fetch_busy \&\& sum_busy/'
 
 # --- rtl/su -----------------------------------------------------------------------------------------------------------
@@ -317,6 +336,9 @@ mutant su_external "a run is as long when it is merged as its groups were" \
 # --- rtl/ru -----------------------------------------------------------------------------------------------------------
 group ru "RU"
 mutant ru_blend "stop: < becomes <=" 's/remain < TW/remain <= TW/'
+mutant ru_blend "the last Gaussian takes its own weight only" 's/(weight = )last_1_q \? t_1_q : /\1/'
+mutant ru_blend "a Gaussian that does not reach the pixel takes all" "s/t_i < rest_i && code_i != '0/t_i < rest_i/"
+mutant ru_blend "INRIA's rule holds beside a frame's own" "s/ && rest_i == '0 && remain/ \&\& remain/"
 mutant ru_blend "half of the rounding dropped" 's/ \+ Half\) >> AlphaW/) >> AlphaW/'
 mutant ru_own "every row begins with the same unit" 's/ \+ Step \* \(r \/ RegionsX\)//' ru
 mutant ru_slot "shift off by one" 's/\$clog2\(([a-z_:]*Units)\)/($clog2(\1) + 1)/' ru
@@ -517,6 +539,8 @@ mutant pipegs_axi_gather "one counter for all tags" "s/port = beat_tag_i\[PortW-
 mutant pipegs_axi_gather "half a line of the old core is completed for the new one" \
        "s/else if \(turn_i\) beats_q <= '0;//" \
        axi_manager_128
+mutant pipegs_axi_gather "half a line stands above only" 's/half_q \? last_q : parts/parts/' axi_manager_256_coded
+mutant pipegs_axi_gather "half a line waits for all beats" 's/(last = )half \|\| /\1/' axi_manager_128_coded
 mutant pipegs_axi_gather "the last beat stands first" 's/\{last_q, parts\}/{parts, last_q}/' axi_manager_256
 mutant pipegs_axi_write "WLAST one beat early" "s/BeatW'\(Beats - 1\)/BeatW'(Beats - 2)/" axi_manager_128
 mutant pipegs_axi_write "data changes while it waits" \
@@ -594,7 +618,8 @@ mutant pu_marks "a layer's end keeps the depth that it had" \
        "s/if \(splat_is_end\) splat_o/if (1'b0) splat_o/" machine_live
 mutant pu_late "regions that are done stay" 's/tiles_i\.mask & ~part_done/tiles_i.mask/' machine_live
 mutant pu_late "a Gaussian without a region asks for its colour" "s/( drop *= ).*;/\11'b0;/" machine_live
-mutant pu_front "asleep while Gaussians are in the cull" 's/(culls_o = )cull_busy \|\| /\1/' machine_live
+mutant pu_front "asleep while Gaussians are in the cull" \
+       's/(culls_o = )decode_busy \|\| cull_busy \|\| /\1/' machine_live
 mutant pu_shape "asleep while Gaussians are in it" "s/(busy_o *= )\|busy/\11'b0/" machine_live
 mutant pu_back "asleep while splats are made" 's/(busy_o *= )window_busy \|\| /\1/' machine_live
 mutant pipegs_pu "a line from memory does not wake it" 's/^( +)geometry_rsp_valid_i \|\| /\1/' machine_live

@@ -23,9 +23,10 @@ struct Case {
 };
 
 // Feeds one case per cycle (or with holes) and compares each result.
-void compare(const std::vector<Case>& cases, bool holes) {
+void compare(const std::vector<Case>& cases, bool holes, const BlendConstants& k = kBlend) {
   Bench<Vru_blend> bench;
   auto& dut = bench.dut;
+  dut.rest_i = k.rest;
   const size_t n = cases.size();
   size_t stage[3] = {n, n, n};  // the case in each stage, n: none
   for (size_t next = 0, checked = 0; checked < n;) {
@@ -51,7 +52,7 @@ void compare(const std::vector<Case>& cases, bool holes) {
       dut.rgb_i = rgb;
       dut.eval();
       PixelState expected = c.pixel;
-      ru_blend(kBlend, expected, c.code, c.color);
+      ru_blend(k, expected, c.code, c.color);
       uint64_t expected_rgb = 0;
       for (int i = 2; i >= 0; --i) expected_rgb = (expected_rgb << kConfig.rgb_w) | expected.rgb[i];
       ASSERT_EQ(dut.t_o, expected.t) << "case " << stage[2] << " T " << c.pixel.t << " code " << c.code << " seed "
@@ -64,10 +65,13 @@ void compare(const std::vector<Case>& cases, bool holes) {
   }
 }
 
-Case random_case(std::mt19937_64& rng) {
+Case random_case(std::mt19937_64& rng, const BlendConstants& k = kBlend) {
   const auto below = [&](uint64_t n) { return static_cast<uint32_t>(rng() % n); };
   Case c{};
-  c.pixel.t = rng() % 4 == 0 ? kBlend.stop + below(8) : rng() % 8 == 0 ? kBlend.one : below(kBlend.one + 1);
+  const uint32_t limit = std::max(k.stop, k.rest);
+  c.pixel.t = rng() % 4 == 0   ? std::min(limit - std::min(limit, 4u) + below(8), k.one)
+              : rng() % 8 == 0 ? kBlend.one
+                               : below(kBlend.one + 1);
   c.pixel.done = rng() % 8 == 0;
   c.code = rng() % 4 == 0 ? below(3) : below(1u << kConfig.alpha_w);
   for (int i = 0; i < 3; ++i) {
@@ -83,6 +87,37 @@ TEST(RuBlend, EqualsItsModel) {
   for (Case& c : cases) c = random_case(rng);
   compare(cases, false);
   compare(cases, true);
+}
+
+// A frame's own limit: the least, INRIA's, a twentieth, nearly all.
+TEST(RuBlend, EqualsItsModelAtEveryRest) {
+  if (kBlend.stop == 0) GTEST_SKIP() << "no pixel stops";
+  std::mt19937_64 rng(test_seed());
+  for (const uint32_t rest : {2u, kBlend.stop, kBlend.one / 100, kBlend.one / 20, kBlend.one - 1}) {
+    const BlendConstants k(kConfig, rest);
+    std::vector<Case> cases(20000);
+    for (Case& c : cases) c = random_case(rng, k);
+    compare(cases, false, k);
+    compare(cases, true, k);
+  }
+}
+
+// T and the weights are one in all, and what is left has the last one's colour.
+TEST(RuBlend, TheLastGaussianTakesAllThatIsLeft) {
+  if (kBlend.stop == 0) GTEST_SKIP() << "no pixel stops";
+  const BlendConstants k(kConfig, kBlend.one / 20);
+  std::mt19937_64 rng(test_seed());
+  const uint32_t white[3] = {1u << (kConfig.color_w - 2), 1u << (kConfig.color_w - 2), 1u << (kConfig.color_w - 2)};
+  for (int run = 0; run < 1000; ++run) {
+    PixelState pixel{.t = k.one};
+    uint32_t weights = 0;
+    while (!pixel.done)
+      weights += ru_blend(k, pixel, 1 + static_cast<uint32_t>(rng() % ((1u << k.alpha_w) - 1)), white);
+    EXPECT_EQ(pixel.t, 0u);
+    EXPECT_EQ(weights, k.one);
+    EXPECT_NEAR(std::ldexp(pixel.rgb[0], 2 - kConfig.rgb_w), 1, 0.01) << "of one colour, so of that one in all";
+    EXPECT_EQ(ru_blend(k, pixel, 1u << (k.alpha_w - 1), white), 0u) << "it takes no more";
+  }
 }
 
 TEST(RuBlend, StopsExactlyAtTheLimit) {

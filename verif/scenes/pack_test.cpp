@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // pack_test: cpp_model/pack/pack.cpp, pack_nodes, pack_order, pack_quantize and pack_image against the scene they came
 // from.
+#include "cpp_model/dopu/nearest/dopu_lod.hpp"
 #include "cpp_model/pack/pack.hpp"
+#include "cpp_model/pu/front/pu_decode.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,10 +12,13 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <set>
 #include <span>
 
+#include "cpp_model/pack/pack_nodes.hpp"
 #include "cpp_model/pack/pack_order.hpp"
 #include "cpp_model/pack/pack_quantize.hpp"
+#include "scenes/input_error.hpp"
 #include "verif/dopu/dopu_world.hpp"
 
 namespace pipegs {
@@ -53,6 +58,7 @@ bool covers(const Config& config, const Node& node, const Node& chunk, const Gau
 // Everything a packed scene promises, for any configuration.
 void check(const Config& config, const Scene& scene, const PackedScene& packed) {
   std::vector<int> seen(scene.gaussians.size());
+  const auto aligned = static_cast<uint64_t>(std::max(2, config.gaussians_per_line()));
   uint64_t next_group = 0, next_chunk = 0, next_slot = 0;
   for (size_t c = 0; c < packed.cells.size(); ++c) {
     const Node& cell = packed.cells[c];
@@ -61,27 +67,40 @@ void check(const Config& config, const Scene& scene, const PackedScene& packed) 
       const Node& group = packed.groups.at(g);
       ASSERT_EQ(group.first, next_chunk);
       ASSERT_TRUE(group.count >= 1 && group.count <= static_cast<uint64_t>(config.group));
-      for (uint64_t k = group.first; k < group.first + group.count; ++k, ++next_chunk) {
+      const uint64_t proxies = config.lod ? dopu_lod_chunks(config, group.count) : 0;
+      std::set<uint32_t> own;  // the Gaussians of the group
+      for (uint64_t k = group.first; k < group.first + group.count + proxies; ++k, ++next_chunk) {
         const Node& chunk = packed.chunks.at(k);
+        const bool is_proxy = k >= group.first + group.count;
         ASSERT_EQ(chunk.first, next_slot) << "chunks lie one behind the other";
-        ASSERT_EQ(chunk.first % 2, 0u);
+        ASSERT_EQ(chunk.first % aligned, 0u) << "a chunk begins a line";
         ASSERT_TRUE(chunk.count >= 1 && chunk.count <= static_cast<uint64_t>(config.chunk));
-        next_slot = chunk.first + (chunk.count + 1) / 2 * 2;
+        next_slot = chunk.first + (chunk.count + aligned - 1) / aligned * aligned;
         for (uint64_t slot = chunk.first; slot < chunk.first + chunk.count; ++slot) {
           const GaussianRecord record = packed.gaussians[slot];
           const uint32_t index = packed.slot_to_index.at(slot);
-          ASSERT_EQ(record.index, index);
-          ++seen.at(index);
+          ASSERT_EQ(packed.scene_index(record.index), index);
+          if (is_proxy) {
+            ASSERT_EQ(own.count(index), 1u) << "a proxy has the number of one of the group's, that no other has";
+            own.erase(index);
+          } else {
+            ++seen.at(index);
+            own.insert(index);
+          }
           ActivatedGaussian exact;
           ASSERT_EQ(activate(scene, index, exact), Cull::kNone);
-          for (int axis = 0; axis < 3; ++axis) {
+          const int below = config.coded() ? config.pos_w - Config::offset_code_w() : 0,
+                    unit = static_cast<int>(chunk.offset_exp) + below;
+          for (int axis = 0; axis < 3 && !is_proxy; ++axis) {
             const double error =
                 std::ldexp(static_cast<double>(world_mean(chunk, record, axis)), packed.scene_exponent) -
                 exact.mean[axis];
-            ASSERT_LE(std::abs(error), std::ldexp(0.5001, static_cast<int>(chunk.offset_exp) + packed.scene_exponent) +
-                                           std::ldexp(0.5, packed.scene_exponent));
+            ASSERT_LE(std::abs(error),
+                      std::ldexp(0.5001, unit + packed.scene_exponent) + std::ldexp(0.5, packed.scene_exponent));
           }
+          const bool is_used = !is_proxy || group.error != dopu_lod_never(config);
           for (const Node* node : {&chunk, &group, &cell}) {
+            if (node != &chunk && !is_used) continue;
             ASSERT_TRUE(inside(*node, chunk, record)) << "slot " << slot;
             ASSERT_GE(scale_value(config, node->scale_max), effective_scale(config, record));
             if (config.tight_boxes) { ASSERT_TRUE(covers(config, *node, chunk, record)) << "slot " << slot; }
@@ -97,33 +116,90 @@ void check(const Config& config, const Scene& scene, const PackedScene& packed) 
   }
   const PackCounts& n = packed.counts;
   EXPECT_EQ(packed_count, n.packed);
+  EXPECT_EQ(n.proxies != 0, config.lod && n.packed != 0);
   EXPECT_EQ(n.packed + n.non_finite + n.zero_quaternion + n.transparent + n.out_of_range, scene.gaussians.size());
   const MemoryImage image = memory_image(packed);
   for (size_t i = 0; i < packed.chunks.size(); ++i) {
     ASSERT_EQ(unpack<Node>(config, image.lines.at(packed.layout.chunks + i / 2).data() + i % 2 * 8), packed.chunks[i]);
   }
+  for (size_t i = 0; i < packed.cells.size(); ++i) {  // a count may be longer than its field
+    const Node cell = unpack<Node>(config, image.lines.at(packed.layout.cells + i / 2).data() + i % 2 * 8);
+    ASSERT_EQ(cell.error << config.count_w() | cell.count, packed.cells[i].count);
+  }
   const size_t per_line = static_cast<size_t>(config.gaussians_per_line());
-  for (size_t i = 0; i < packed.gaussians.size(); ++i) {
-    ASSERT_EQ(unpack<GaussianRecord>(config,
-                                     image.lines.at(packed.layout.gaussians + i / per_line).data() + i % per_line * 8),
-              packed.gaussians[i]);
+  const auto in_memory = [&](size_t slot) {
+    return image.lines.at(packed.layout.gaussians + slot / per_line).data() + slot % per_line * (16 / per_line);
+  };
+  for (const Node& chunk : packed.chunks) {
+    for (size_t slot = chunk.first; slot < chunk.first + chunk.count; ++slot) {
+      const uint64_t scale_exp = chunk.scale_max >> config.scale_m_w;
+      const GaussianRecord found =
+          config.coded() ? pu_decode(config, unpack<GaussianCode>(config, in_memory(slot)), scale_exp, slot)
+                         : unpack<GaussianRecord>(config, in_memory(slot));
+      ASSERT_EQ(found, packed.gaussians[slot]) << "slot " << slot;
+    }
   }
 }
 
 TEST(Pack, KeepsItsPromisesInEveryConfiguration) {
   std::mt19937_64 rng(1);
-  for (const char* assignment :
-       {"units=4", "grid=1", "grid=2", "grid=8", "chunk=8", "chunk=64", "group=1", "world_w=32", "world_w=44",
-        "pos_w=12", "pos_w=24", "scale_m_w=6", "scale_m_w=16", "index_w=16", "sh_degree=1", "tight_boxes=1"}) {
+  for (const char* assignment : {"units=4", "grid=1", "grid=2", "grid=8", "chunk=8", "chunk=64", "group=1",
+                                 "world_w=32", "world_w=44", "pos_w=12", "pos_w=24", "scale_m_w=6", "scale_m_w=16",
+                                 "index_w=16", "sh_degree=1", "tight_boxes=1", "record=48", "lod=1"}) {
     SCOPED_TRACE(assignment);
     Config config;
     config_set(config, assignment);
-    config.late = config.tight_boxes;
-    config.order = 2 * config.tight_boxes;
+    config.late = config.tight_boxes | config.lod;
+    config.order = 2 * config.late;
     for (const size_t count : {0, 1, 2, 31, 33, 1000, 5000}) {
       const Scene scene = random_scene(rng, count, static_cast<int>(rng() % 4));
       check(config, scene, pack_scene(config, scene, 10));
     }
+  }
+}
+
+// A machine with the exact order and these keys.
+Config machine_with(std::initializer_list<const char*> settings) {
+  Config config;
+  config.late = 1;
+  config.order = 2;
+  for (const char* setting : settings) config_set(config, setting);
+  return config;
+}
+
+// Records of both sizes, with and without proxies.
+std::vector<Config> record_machines() {
+  return {Config{}, machine_with({"record=48"}), machine_with({"lod=1"}),
+          machine_with({"record=48", "lod=1", "tight_boxes=1"})};
+}
+
+TEST(Pack, ProxiesThatWouldWidenTheirGroupMuchAreNotUsed) {
+  for (const char* boxes : {"tight_boxes=0", "tight_boxes=1"}) {
+    SCOPED_TRACE(boxes);
+    std::mt19937_64 rng(1);
+    const Config config = machine_with({"lod=1", boxes});
+    const Scene scene = random_scene(rng, 5000, 1);
+    const PackedScene packed = pack_scene(config, scene, 10);
+    check(config, scene, packed);
+    glm::vec3 low(INFINITY), high(-INFINITY);
+    for (const Gaussian& gaussian : scene.gaussians)
+      low = glm::min(low, gaussian.mean), high = glm::max(high, gaussian.mean);
+    // A tenth of the scene's diagonal: no less than what the packer takes, for which the bound holds all the more.
+    const double window = std::ldexp(glm::distance(low, high) / 10, -packed.scene_exponent);
+    size_t never = 0, widened = 0;
+    for (const Node& group : packed.groups) {
+      const auto first = packed.chunks.begin() + static_cast<std::ptrdiff_t>(group.first);
+      const Node own = make_parent(config, std::span(first, group.count));
+      const double area = hull_area(config, group, 0), own_area = hull_area(config, own, 0);
+      if (group.error == dopu_lod_never(config)) {
+        EXPECT_EQ(area, own_area);
+        ++never;
+      }
+      widened += area > own_area;
+      EXPECT_LE(hull_area(config, group, window), 1.01 * hull_area(config, own, window));
+    }
+    EXPECT_GT(never, 0u);
+    if (config.tight_boxes) { EXPECT_GT(widened, 0u); }
   }
 }
 
@@ -140,25 +216,63 @@ TEST(Pack, LeavesOutWhatCannotBeDrawnAndCountsIt) {
   scene.gaussians[6].opacity_logit = std::numeric_limits<float>::infinity();          // opaque
   scene.gaussians[7].sh_dc = glm::vec3(1e9f);                                         // clipped
   scene.gaussians[8].log_scale.x = 80;                                                // clipped
-  const Config config;
-  const PackedScene packed = pack_scene(config, scene, 1);
-  EXPECT_EQ(packed.counts.non_finite, 2u);
-  EXPECT_EQ(packed.counts.zero_quaternion, 1u);
-  EXPECT_EQ(packed.counts.transparent, 1u);
-  EXPECT_EQ(packed.counts.out_of_range, 1u);
-  EXPECT_EQ(packed.counts.saturated_base, 3u);
-  EXPECT_EQ(packed.counts.saturated_scale, 1u);
-  check(config, scene, packed);
+  for (const Config& config : record_machines()) {
+    SCOPED_TRACE(config_difference(config));
+    const PackedScene packed = pack_scene(config, scene, 1);
+    EXPECT_EQ(packed.counts.non_finite, 2u);
+    EXPECT_EQ(packed.counts.zero_quaternion, 1u);
+    EXPECT_EQ(packed.counts.transparent, 1u);
+    EXPECT_EQ(packed.counts.out_of_range, 1u);
+    EXPECT_GE(packed.counts.saturated_base, 3u);
+    EXPECT_GE(packed.counts.saturated_scale, 1u);
+    if (config == Config{}) {
+      EXPECT_EQ(packed.counts.saturated_base, 3u);
+      EXPECT_EQ(packed.counts.saturated_scale, 1u);
+    }
+    check(config, scene, packed);
+  }
 }
 
-TEST(Pack, AnEmptySceneAndOneWhereAllLieInOnePoint) {
-  const Config config;
-  Scene scene;
-  EXPECT_EQ(pack_scene(config, scene, 0).chunks.size(), 0u);
-  std::mt19937_64 rng(3);
-  scene = random_scene(rng, 1000);
-  for (Gaussian& g : scene.gaussians) g.mean = glm::vec3(1, 2, 3);
-  check(config, scene, pack_scene(config, scene, 0));
+// The codes of a chunk's scales reach 16 octaves down from the largest: what is below becomes larger, and is counted.
+TEST(Pack, ScalesFarBelowTheLargestOfTheirChunkAreCounted) {
+  std::mt19937_64 rng(5);
+  Scene scene = random_scene(rng, 8, 0);
+  for (Gaussian& gaussian : scene.gaussians) gaussian.log_scale = glm::vec3(-8), gaussian.opacity_logit = 2;
+  scene.gaussians[3].log_scale.x = 3.5f;  // 16.6 octaves
+  const Config config = machine_with({"record=48", "grid=1"});
+  EXPECT_EQ(pack_scene(config, scene, 1).counts.saturated_scale, 3u * 7 + 2);
+  scene.gaussians[3].log_scale.x = 0;
+  EXPECT_EQ(pack_scene(config, scene, 1).counts.saturated_scale, 0u);
+}
+
+TEST(Pack, SlotsBeyondTheIndexOfACodeAreRefused) {
+  std::mt19937_64 rng(6);
+  Scene scene = random_scene(rng, 0, 0);
+  Scene few = random_scene(rng, 100, 0);
+  for (Gaussian& gaussian : few.gaussians) gaussian.opacity_logit = 2;
+  for (int i = 0; i < 60000; ++i) scene.gaussians.push_back(few.gaussians[static_cast<size_t>(i % 100)]);
+  for (const char* lod : {"lod=0", "lod=1"}) {
+    const Config config = machine_with({"record=48", "index_w=16", lod});
+    if (config.lod) {
+      EXPECT_THROW(pack_scene(config, scene, 1), InputError) << "proxies have slots, too";
+    } else {
+      EXPECT_LE(pack_scene(config, scene, 1).gaussians.size(), 65536u);
+    }
+  }
+}
+
+TEST(Pack, AnEmptySceneOneOfOneAndOneWhereAllLieInOnePoint) {
+  for (const Config& config : record_machines()) {
+    SCOPED_TRACE(config_difference(config));
+    Scene scene;
+    EXPECT_EQ(pack_scene(config, scene, 0).chunks.size(), 0u);
+    std::mt19937_64 rng(3);
+    for (const size_t count : {1, 1000}) {
+      scene = random_scene(rng, count);
+      for (Gaussian& g : scene.gaussians) g.mean = glm::vec3(1, 2, 3);
+      check(config, scene, pack_scene(config, scene, 0));
+    }
+  }
 }
 
 // The order by its definition: every cut of every part tried, without threads and without copies.
@@ -309,6 +423,43 @@ TEST(PackQuantize, ColoursComeBackWithinHalfAUnitOfTheirExponent) {
       }
     }
   }
+}
+
+// The layout of sh_code.hpp, written down once more.
+TEST(PackQuantize, CodesOfColoursComeBackWithinHalfAUnitOfTheirBand) {
+  std::mt19937_64 rng(6);
+  Config config;
+  config.record = 48;
+  int lower = 0;  // bands that lie below their Gaussian's exponent
+  for (const int degree : {1, 2, 3}) {
+    Scene scene = random_scene(rng, 500, degree);
+    for (size_t i = 0; i < scene.sh_rest.size(); ++i) {  // higher bands are smaller, as in trained scenes
+      const size_t function = i / 3 % static_cast<size_t>(sh_rest_count(degree));
+      if (rng() % 4 != 0) scene.sh_rest[i] *= function < 3 ? 1 : function < 8 ? 0.2f : 0.05f;
+    }
+    const PackedScene packed = pack_scene(config, scene, 1);
+    const size_t per_line = degree == 1 ? 8 : 2;
+    for (size_t slot = 0; slot < packed.slot_to_index.size(); ++slot) {
+      if (packed.slot_to_index[slot] == kPadding) continue;
+      const uint32_t* line = packed.colors[slot / per_line].data();
+      const int at = static_cast<int>(slot % per_line * (512 / per_line));
+      const int exponent = static_cast<int>(get_bits(line, at, 5));
+      const float* exact = sh_rest_of(scene, packed.slot_to_index[slot]);
+      for (int i = 0; i < 3 * sh_rest_count(degree); ++i) {
+        const int band = i < 9 ? 1 : i < 24 ? 2 : 3, width = band == 1 ? 6 : 5;
+        const int place = (degree == 1 ? 5 : 14) + (band == 1 ? 6 * i : 54 + 5 * (i - 9));
+        const int drop = degree == 1 ? 0 : static_cast<int>(get_bits(line, at + 5 + 3 * (band - 1), 3));
+        auto m = static_cast<int64_t>(get_bits(line, at + place, width));
+        if (m >> (width - 1)) m -= int64_t{1} << width;
+        const double unit = std::ldexp(1.0, exponent - drop - 26 - width), limit = 16 - unit;
+        const double wanted = std::clamp(static_cast<double>(exact[i]), -16.0, limit);
+        ASSERT_LE(std::abs(static_cast<double>(m) * unit - wanted), 0.5001 * unit) << "coefficient " << i;
+        lower += drop > 0;
+        ASSERT_LE(drop, 11 - width);
+      }
+    }
+  }
+  EXPECT_GT(lower, 1000);
 }
 
 }  // namespace

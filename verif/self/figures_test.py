@@ -4,7 +4,8 @@
 fail it.
 
 Every marker of every page has one digit changed in turn, and each must be found. On a copy of docs the program itself
-must fail for a changed digit in a page, a changed figure in the data, and a figure outside markers.
+must fail for a changed digit in a page or in an image that the data make, a changed figure in the data, and a figure
+outside markers.
 """
 import re
 import shutil
@@ -16,6 +17,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(ROOT / "docs/figures"))
+import drawing  # noqa: E402
 import lint  # noqa: E402
 import markers  # noqa: E402
 import sources  # noqa: E402
@@ -239,11 +241,31 @@ def a_new_measurement_is_compared():
         expect(difference(kept, found | wrong), f"not found: {wrong}")
 
 
+def names_lie_free():
+    """In a drawing the name of each line stands by itself: on no line, and on no other name."""
+    series = [(f"scene <{i}>", "60 k", [(100, 68), (70 - 5 * i, 50 - i), (30 + 3 * i, 31)]) for i in range(4)]
+    text = drawing.lines("title", "across", "up", (48, "step"), series)
+    number = r"(-?[\d.]+)"
+    places = {
+        name: (float(x), float(y))
+        for x, y, name in re.findall(rf'<text x="{number}" y="{number}"[^>]*>(scene [^<]*)<', text)
+    }
+    expect(sorted(places) == [f"scene &lt;{i}&gt;" for i in range(4)], f"names in the drawing: {places}")
+    lines = [re.findall(rf"{number},{number}", line) for line in re.findall(r'<polyline points="([^"]*)"', text)]
+    for name, (x, y) in places.items():
+        for points in (line for line in lines if len(line) == 3):
+            near = [p for p in drawing.between([(float(a), float(b)) for a, b in points])
+                    if abs(p[0] - x) < 25 and abs(p[1] - y) < 12]  # fmt: skip
+            expect(not near, f"{name} at {x}, {y} lies on a line, {near[:1]}")
+        for other, (a, b) in places.items():
+            expect(name == other or abs(a - x) > 50 or abs(b - y) > 25, f"{name} lies on {other}")
+
+
 def read(folder, path):
     return (Path(folder) / path).read_text()
 
 
-def program_fails_on(what, path, change):
+def program_fails_on(what, path, change, named="docs/cycles/ladder.md"):
     with tempfile.TemporaryDirectory() as folder:
         believed(folder)
         file = Path(folder) / path
@@ -252,7 +274,7 @@ def program_fails_on(what, path, change):
         expect(file.read_text() != before, f"{what}: nothing was changed")
         run = program(folder, "--check", "pages")
         expect(
-            run.returncode == 1 and "docs/cycles/ladder.md" in run.stdout,
+            run.returncode == 1 and named in run.stdout,
             f"{what}: exit code {run.returncode}\n{run.stdout}{run.stderr}",
         )
 
@@ -265,8 +287,11 @@ pruning_loses_nothing()
 equality_is_held()
 mixing_is_refused()
 a_new_measurement_is_compared()
+names_lie_free()
 ladder = "docs/cycles/ladder.md"
 program_fails_on("a digit of a page", ladder, lambda text: re.sub(r"(\| `exact` \| \d)", r"\g<1>9", text, count=1))
+drawn = "docs/images/tradeoff.svg"
+program_fails_on("a digit of an image", drawn, lambda text: re.sub(r'(cx="\d)', r"\g<1>9", text, count=1), drawn)
 program_fails_on(
     "a figure of the data",
     "docs/data/model.json",

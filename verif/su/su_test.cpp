@@ -204,7 +204,7 @@ TEST(Su, CollectsLayersWhileTheOutputIsBlockedAsLongAsThePoolHasRoom) {
   bench.blocked = true;
   for (size_t i = 0; i < 20 * records + 1000; ++i) bench.step();
   EXPECT_EQ(bench.in.taken,
-            records + 1 + 3 + 2);  // the slot of the splat that is shown is free again; two wait in front
+            records + 3 + 3 + 2);  // the slots of the three splats at the output are free again; two wait in front
   EXPECT_EQ(bench.overflowed, 0u) << "a layer that has to wait does not go to memory";
   bench.blocked = false;
   bench.check(100000);

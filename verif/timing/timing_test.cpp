@@ -127,6 +127,18 @@ TEST(Timing, WindowsOfFourParts) {
   EXPECT_EQ(frame.run().cycles, frame.run({.every_cycle = true}).cycles);
 }
 
+// Groups' ranges are chosen a cycle later, proxies or not.
+TEST(Timing, ProxiesOfGroups) {
+  for (const size_t number : todays({kHidden, kCrowded})) {
+    for (const double pixels : {0.0, 16.0}) {
+      SCOPED_TRACE(pixels);
+      SimulateOptions options = frame_machine(number);
+      options.lod_pixels = pixels;
+      expect_exact(TimedFrame(own_view(), options, 4));
+    }
+  }
+}
+
 // Windows are counted, and go whole or by parts, also with more than the SUs hold.
 TEST(Timing, WindowsWalkedPartByPart) {
   for (const uint64_t most : {0, 1, 600}) {

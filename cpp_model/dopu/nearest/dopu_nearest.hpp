@@ -14,6 +14,7 @@
 #include <algorithm>
 
 #include "cpp_model/dopu/nearest/dopu_depth.hpp"
+#include "cpp_model/dopu/nearest/dopu_lod.hpp"
 #include "cpp_model/dopu/dopu_origin.hpp"
 #include "cpp_model/dopu/dopu_planes.hpp"
 #include "cpp_model/dopu/dopu_test.hpp"
@@ -36,7 +37,8 @@ void dopu_nearest(const Config& config, const Frame& frame, const PackedScene& s
       const Node& group = scene.groups[g];
       if (!passes(group, cell_bucket)) continue;
       const int group_bucket = dopu_depth(config, frame, planes, group, cell_bucket);
-      for (uint64_t i = group.first; i < group.first + group.count; ++i) {
+      const Node opened = dopu_lod(config, frame, group, group_bucket);
+      for (uint64_t i = opened.first; i < opened.first + opened.count; ++i) {
         const Node& node = scene.chunks[i];
         if (!passes(node, group_bucket)) continue;
         Chunk sent = dopu_origin(config, frame, node, window_x, window_y);

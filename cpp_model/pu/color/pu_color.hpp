@@ -25,7 +25,7 @@ inline Colored pu_color(const Config& config, const Frame& frame, const ColorJob
   if (job.kind == kData && color_degree(config, frame) > 0) {
     basis = pu_color_basis(pu_color_normalise(config, pu_color_rotate(config, frame, color_direction(job))));
   }
-  return pu_color_sum(config, frame, color_task(job), sh_line, basis, counts);
+  return pu_color_sum(config, frame, color_task(config, job), sh_line, basis, counts);
 }
 
 }  // namespace pipegs

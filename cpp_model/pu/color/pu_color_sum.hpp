@@ -11,10 +11,10 @@
 #pragma once
 
 #include <algorithm>
-#include <cstring>
 
 #include "cpp_model/fixed.hpp"
 #include "cpp_model/pu/color/pu_color_fetch.hpp"
+#include "cpp_model/pu/color/sh_code.hpp"
 #include "cpp_model/records.hpp"
 
 namespace pipegs {
@@ -25,8 +25,8 @@ struct ColorCounts {
   uint64_t saturated = 0;  // channels at or above 4
 };
 
-// The three sums over the bands of `degree`, exact; `line` is the 64-byte line of memory, `quarter` only counts for
-// slots of 16 bytes.
+// The three sums over the bands of `degree`, exact; `line` is the 64-byte line of memory, `quarter` the low bits of the
+// slot, which say where in it.
 struct ColorSums {
   int64_t sum[3] = {0, 0, 0};
   int exponent = 0;
@@ -36,25 +36,12 @@ inline ColorSums color_sums(const Config& config, const Frame& frame, uint64_t q
                             const ShBasis& basis) {
   const int degree = color_degree(config, frame);
   const int count = (degree + 1) * (degree + 1) - 1;
-  uint32_t words[18] = {};  // two more, so that 64 bits can be read at every place
-  if (frame.tables.sh_degree == 1) std::memcpy(words, line + 4 * quarter, 16);
-  else std::memcpy(words, line, 64);
-  const auto bits_at = [&](int at) {
-    uint64_t two;
-    std::memcpy(&two, words + (at >> 5), 8);
-    return two >> (at & 31);
-  };
+  const int scene_degree = static_cast<int>(frame.tables.sh_degree), place = color_place(config, scene_degree, quarter);
   const int64_t b[15] = {basis.b1, basis.b2,  basis.b3,  basis.b4,  basis.b5,  basis.b6,  basis.b7, basis.b8,
                          basis.b9, basis.b10, basis.b11, basis.b12, basis.b13, basis.b14, basis.b15};
-  ColorSums sums;
-  sums.exponent = static_cast<int>(bits_at(0) & ((1u << config.sh_e_w) - 1));
-  const int up = 64 - config.sh_m_w;
-  int at = config.sh_e_w;
-  for (int k = 0; k < count; ++k) {
-    for (int c = 0; c < 3; ++c, at += config.sh_m_w) {
-      sums.sum[c] += (static_cast<int64_t>(bits_at(at) << up) >> up) * b[k];
-    }
-  }
+  const ShMantissas mantissas = sh_mantissas(config, scene_degree, line, place);
+  ColorSums sums{.exponent = mantissas.exponent};
+  for (int i = 0; i < 3 * count; ++i) sums.sum[i % 3] += mantissas.of[static_cast<size_t>(i)] * b[i / 3];
   return sums;
 }
 

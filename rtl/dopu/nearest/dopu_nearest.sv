@@ -25,6 +25,7 @@ module dopu_nearest #(
 
   input  pipegs_pkg::position_t                 position_i,
   input  logic [pipegs_pkg::WorldW-1:0]         near_plane_i,
+  input  logic [pipegs_pkg::StepW-1:0]          lod_i,     // of the frame
   input  pipegs_pkg::span_t                     groups_i,  // the tables
   input  pipegs_pkg::span_t                     chunks_i,
   input  logic [2*5*pipegs_pkg::PlaneBits-1:0]  planes_i,
@@ -69,9 +70,10 @@ module dopu_nearest #(
   localparam int unsigned NodeBits = pipegs_pkg::NodeBits;
   localparam int unsigned SlotW = pipegs_pkg::SlotW;
   localparam int unsigned CountW = pipegs_pkg::CountW;
-  localparam int unsigned PlaceW = 3 * pipegs_pkg::WorldW + pipegs_pkg::ExpW;
-  localparam int unsigned RangeW = CountW + SlotW;
-  localparam int unsigned DataW = RangeW + PlaceW;
+  localparam int unsigned PlaceW = pipegs_pkg::NodePlaceW;
+  localparam int unsigned RangeW = pipegs_pkg::ChildrenW + SlotW;  // of a parent's children; of a chunk's less
+  localparam int unsigned ChunkRangeW = CountW + SlotW;
+  localparam int unsigned DataW = ChunkRangeW + PlaceW;
   localparam int unsigned StepW = pipegs_pkg::StepW;
   localparam int unsigned ScaleW = pipegs_pkg::ScaleW;
   localparam int unsigned ReservedW = $clog2(Results + 1);
@@ -165,9 +167,9 @@ module dopu_nearest #(
   logic [1:0]         result_level;
   logic [BucketW-1:0] result_bucket;
   logic [PlaceW-1:0]  result_place;
-  logic [RangeW-1:0]  result_range;
+  logic [RangeW-1:0]  result_range;  // of a parent the children that are opened
 
-  dopu_rank #(.TagW(3)) u_rank (
+  dopu_rank u_rank (
     .clk_i,
     .rst_ni,
     .awake_i,
@@ -182,10 +184,13 @@ module dopu_nearest #(
     .parent_i(child_parent[level]),
     .tight_i(tight[level]),
     .scale_i(scale[level]),
-    .tag_i({child_last[level], level}),
+    .last_i(child_last[level]),
+    .level_i(level),
+    .lod_i,
     .result_valid_o(result_valid),
     .result_pass_o(result_pass),
-    .result_tag_o({result_last, result_level}),
+    .result_last_o(result_last),
+    .result_level_o(result_level),
     .result_bucket_o(result_bucket),
     .result_far_o(group_far_o),
     .result_place_o(result_place),
@@ -204,7 +209,7 @@ module dopu_nearest #(
 
   generate
     for (genvar l = 0; l < Levels; l += 1) begin : gen_results
-      localparam int unsigned HeldW = l == 2 ? DataW : RangeW;  // only of chunks the place matters
+      localparam int unsigned HeldW = l == 2 ? DataW : RangeW;  // of chunks the place matters, too
       logic [HeldW-1:0]     result_data, held_data;
       logic [BucketW-1:0]   bucket;
       logic [ReservedW-1:0] count;
@@ -212,11 +217,11 @@ module dopu_nearest #(
       assign push[l]   = result_valid && result_level == 2'(l) && result_kept;
       assign missed[l] = result_valid && result_level == 2'(l) && !result_kept;
       if (l == 2) begin : gen_chunk
-        assign result_data = {result_range, result_place};
+        assign result_data = {result_range[ChunkRangeW-1:0], result_place};
         assign held[l]     = held_data;
       end else begin : gen_parent
         assign result_data = result_range;
-        assign held[l]     = {held_data, {PlaceW{1'b0}}};
+        assign held[l]     = {held_data, {(DataW - RangeW){1'b0}}};
       end
 
       pipegs_fifo #(.DataW(2 + BucketW + HeldW), .Depth(Results)) u_queue (
@@ -238,11 +243,7 @@ module dopu_nearest #(
         else reserved_q[l] <= reserved_q[l] +
                               ReservedW'(enter[l]) - ReservedW'(missed[l]) - ReservedW'(held_valid[l] && retired[l]);
       end
-      logic unused_bits;
-      assign unused_bits = &{1'b0, count, held_last[l]};
-`ifndef SYNTHESIS
-      always_ff @(posedge clk_i) if (rst_ni) assert (!push[l] || queue_ready[l]);
-`endif
+      wire unused_bits = &{1'b0, count, held_last[l]};
     end
   endgenerate
 
@@ -318,7 +319,6 @@ module dopu_nearest #(
 
   // --- opening: the nearest cell, the nearest group; ahead while there is room, and always before the chunks behind --
   logic few, cell_first, group_first;
-
   always_comb begin
     for (int unsigned l = 0; l < Levels; l += 1) begin
       some[l]  = first_valid[{2'(l), set_q[l == 0 ? 1 : 2]}];
@@ -333,7 +333,6 @@ module dopu_nearest #(
   assign pop_open[1] = some[1] && (level_done[2] || (!held_back && open_ready[1] && (few || group_first)));
   assign pop_valid   = send_pop || pop_open != '0;
   assign pop_list    = send_pop ? {2'd2, send_set} : pop_open[1] ? {2'd1, set_q[2]} : {2'd0, set_q[1]};
-
   typedef struct packed {  // of both readers
     logic [1:0][pipegs_pkg::AddressW-1:0] address, bad;
     logic [1:0][pipegs_pkg::BurstW-1:0]   lines;
@@ -345,7 +344,7 @@ module dopu_nearest #(
     for (genvar l = 0; l < 2; l += 1) begin : gen_open
       assign open_valid[l]  = (out_valid && out_level == 2'(l) && !out_done) || direct[l];
       assign open_bucket[l] = out_valid ? out_bucket : held_bucket[l];
-      assign open_range[l]  = out_valid ? out_data[PlaceW +: RangeW] : held[l][PlaceW +: RangeW];
+      assign open_range[l]  = out_valid ? out_data[DataW-1 -: RangeW] : held[l][DataW-1 -: RangeW];
 
       dopu_open #(.Most(Most), .Lines(Lines)) u_open (
         .clk_i,
@@ -355,7 +354,7 @@ module dopu_nearest #(
         .open_ready_o(open_ready[l]),
         .open_bucket_i(open_bucket[l]),
         .open_first_i(open_range[l][SlotW-1:0]),
-        .open_count_i(open_range[l][SlotW +: CountW]),
+        .open_count_i(open_range[l][RangeW-1:SlotW]),
         .mem_valid_o(mem_valid_o[l]),
         .mem_ready_i(mem_ready_i[l]),
         .mem_address_o(ports.address[l]),
@@ -374,9 +373,6 @@ module dopu_nearest #(
         .bad_line_o(ports.bad[l]),
         .waiting_o(reading[l])
       );
-`ifndef SYNTHESIS
-      always_ff @(posedge clk_i) if (rst_ni) assert (!open_valid[l] || open_ready[l]);
-`endif
     end
   endgenerate
 
@@ -426,5 +422,9 @@ module dopu_nearest #(
   assign testing_o = want != '0 || drop != '0 || cell_ready_o || !queue_idle || retired != '0 || pop_valid ||
                      through != '0 || window_end;
   assign waiting_o = reading != '0;
+
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i) if (rst_ni) assert ((push & ~queue_ready) == '0 && (open_valid & ~open_ready) == '0);
+`endif
 
 endmodule

@@ -16,7 +16,7 @@ module dopu_open #(
   parameter int unsigned Lines = 32,
   localparam int unsigned BucketW = pipegs_pkg::BucketW,
   localparam int unsigned SlotW = pipegs_pkg::SlotW,
-  localparam int unsigned CountW = pipegs_pkg::CountW,
+  localparam int unsigned CountW = pipegs_pkg::ChildrenW,
   localparam int unsigned NodeBits = pipegs_pkg::NodeBits
 ) (
   input  logic                             clk_i,
@@ -98,11 +98,10 @@ module dopu_open #(
   logic               job_valid_q, job_ready;
   logic [BucketW-1:0] job_bucket_q;
   logic [SlotW-1:0]   job_first_q, index;
-  logic [CountW-1:0]  job_count_q, job_last, last;
+  logic [CountW-1:0]  job_count_q;
   logic               is_read, idle;
 
   assign open_ready_o = !job_valid_q && !open_q[Most-1];
-  assign job_last     = CountW'(job_first_q) + job_count_q - 1'b1;  // of the last child's number, enough to know it
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) job_valid_q <= 1'b0;
@@ -117,8 +116,8 @@ module dopu_open #(
     end
   end
 
-  pipegs_line_reader #(.TagW(CountW + BucketW), .ItemW(NodeBits), .ItemsPerLine(2), .Lines(Lines), .Jobs(Most))
-    u_reader (
+  pipegs_line_reader #(.TagW(BucketW), .ItemW(NodeBits), .ItemsPerLine(2), .Lines(Lines), .Jobs(Most),
+    .CountW(CountW)) u_reader (
     .clk_i,
     .rst_ni,
     .table_i,
@@ -127,7 +126,7 @@ module dopu_open #(
     .job_read_i(1'b1),
     .job_first_i(job_first_q),
     .job_count_i(job_count_q),
-    .job_tag_i({job_last, job_bucket_q}),
+    .job_tag_i(job_bucket_q),
     .mem_valid_o,
     .mem_ready_i,
     .mem_address_o,
@@ -138,26 +137,26 @@ module dopu_open #(
     .out_ready_i(child_ready_i),
     .out_read_o(is_read),
     .out_index_o(index),
-    .out_tag_o({last, child_parent_o}),
+    .out_last_o(child_last_o),
+    .out_tag_o(child_parent_o),
     .out_item_o(child_o),
     .bad_o,
     .bad_line_o,
     .waiting_o,
     .idle_o(idle)
   );
-  assign child_last_o = CountW'(index) == last;
 
   logic unused;
   assign unused = &{1'b0, is_read, idle, index, least[0]};
 
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni) assert (!settled_i || any_o);
-  pipegs_stream_check #(.DataW($bits({job_last, job_bucket_q, job_first_q, job_count_q}))) u_check_job (
+  pipegs_stream_check #(.DataW($bits({job_bucket_q, job_first_q, job_count_q}))) u_check_job (
     .clk_i,
     .rst_ni,
     .valid_i(job_valid_q),
     .ready_i(job_ready),
-    .beat_i({job_last, job_bucket_q, job_first_q, job_count_q})
+    .beat_i({job_bucket_q, job_first_q, job_count_q})
   );
 `endif
 

@@ -26,6 +26,7 @@ module pu_color #(
   output logic                               mem_valid_o,
   input  logic                               mem_ready_i,
   output logic [pipegs_pkg::AddressW-1:0]    mem_address_o,
+  output logic [pipegs_pkg::HalvesW-1:0]     mem_halves_o,  // see pu_color_fetch
   input  logic                               rsp_valid_i,
   input  logic [pipegs_pkg::MemoryW-1:0]     rsp_data_i,
 
@@ -78,6 +79,7 @@ module pu_color #(
       .mem_valid_o,
       .mem_ready_i,
       .mem_address_o,
+      .mem_halves_o,
       .rsp_valid_i,
       .rsp_data_i,
       .task_valid_o     (task_valid),
@@ -147,6 +149,7 @@ module pu_color #(
     assign fetch_busy    = count != '0;
     assign mem_valid_o   = 1'b0;
     assign mem_address_o = '0;
+    assign mem_halves_o  = '1;
     assign bad_o         = 1'b0;
     assign bad_line_o    = '0;
     assign line_valid    = 1'b0;

@@ -6,7 +6,8 @@
 //         credits, and an answer of the memory always finds room. The directions leave early, and are evaluated
 //         while the line travels. A line that the table does not hold is not asked for, nor is any behind it (bad_o).
 // Stream  color_job -> color_task; for each data beat of a frame with SH also a view_direction and a 64-byte line.
-//         Degree 1 has four Gaussians in a line, degree 2 and 3 one.
+//         Degree 1 has four Gaussians in a line, degree 2 and 3 one; if Coded twice as many, and the half of the line
+//         that holds the Gaussian is asked for: nothing is said of the other one in the answer.
 // Pace    One job per cycle without SH, one in two cycles with (the request register is emptied first).
 // Model   cpp_model/pu/color/pu_color_fetch.hpp
 
@@ -25,6 +26,7 @@ module pu_color_fetch #(
   output logic                               mem_valid_o,
   input  logic                               mem_ready_i,
   output logic [pipegs_pkg::AddressW-1:0]    mem_address_o,
+  output logic [pipegs_pkg::HalvesW-1:0]     mem_halves_o,
   input  logic                               rsp_valid_i,
   input  logic [pipegs_pkg::MemoryW-1:0]     rsp_data_i,
 
@@ -57,9 +59,12 @@ module pu_color_fetch #(
   pipegs_pkg::color_task_t     head;
   pipegs_pkg::view_direction_t direction;
 
+  localparam int unsigned QuarterW = pipegs_pkg::QuarterW;
+  logic one;  // degree 1
+  assign one         = sh_degree_i == pipegs_pkg::KindW'(1);
   assign job_ready_o = room && !mem_valid_q && !bad_q;
-  assign number      = sh_degree_i == pipegs_pkg::KindW'(1) ?
-                       AddressW'(job_i.slot[pipegs_pkg::SlotW-1:pipegs_pkg::QuarterW]) : AddressW'(job_i.slot);
+  assign number      = one ? AddressW'(job_i.slot[pipegs_pkg::SlotW-1:QuarterW]) :
+                       AddressW'(job_i.slot[pipegs_pkg::SlotW-1:QuarterW-2]);
   assign take        = job_valid_i && job_ready_o;
   assign ask         = take && job_i.kind == pipegs_pkg::KindData && sh_degree_i != '0;
 
@@ -67,7 +72,7 @@ module pu_color_fetch #(
     head.kind    = job_i.kind;
     head.depth   = job_i.depth;
     head.index   = job_i.index;
-    head.quarter = job_i.slot[pipegs_pkg::QuarterW-1:0];
+    head.quarter = job_i.slot[QuarterW-1:0];
     head.mask    = job_i.mask;
     head.address = job_i.address;
     head.ext     = job_i.ext;
@@ -90,6 +95,13 @@ module pu_color_fetch #(
     end
   end
   always_ff @(posedge clk_i) if (ask) mem_address_q <= colors_i.first + number;
+  if (pipegs_pkg::Coded) begin : gen_half
+    logic upper_q;
+    always_ff @(posedge clk_i) if (ask) upper_q <= one ? job_i.slot[QuarterW-1] : job_i.slot[0];
+    assign mem_halves_o = {upper_q, !upper_q};
+  end else begin : gen_whole
+    assign mem_halves_o = '1;
+  end
   assign bad_o         = bad_q;
   assign bad_line_o    = mem_address_q;
   assign mem_valid_o   = mem_valid_q;
@@ -139,12 +151,12 @@ module pu_color_fetch #(
     else $error("no room for a direction");
   always_ff @(posedge clk_i) if (rst_ni) assert (!rsp_valid_i || line_room)
     else $error("a line came that nobody waits for");
-  pipegs_stream_check #(.DataW($bits(mem_address_o))) u_check_mem (
+  pipegs_stream_check #(.DataW($bits({mem_address_o, mem_halves_o}))) u_check_mem (
     .clk_i,
     .rst_ni,
     .valid_i(mem_valid_o),
     .ready_i(mem_ready_i),
-    .beat_i(mem_address_o)
+    .beat_i({mem_address_o, mem_halves_o})
   );
 `endif
 

@@ -4,7 +4,7 @@
 // Idea    All coefficients of a Gaussian share one exponent e, so the 15 products of a channel are added exactly as
 //         integers and the sum is shifted once:  sum * 2^(e - 26 - ShMW - BasisF)  ->  s8.WorkF, two guard bits
 //         below base and colour. A step takes two basis functions times three channels: six multipliers of ShMW x
-//         BasisW bits.
+//         BasisW bits. If Coded the six are made of their codes first: each band's are shifted by its own number.
 // Stream  color_task, SH line and sh_basis (the last two for data beats of a frame with SH) -> colored.
 // Pace    One Gaussian in 8 cycles at degree 3, 5 at degree 1 and 2, 2 without SH; latency 12 (9, 6, 2).
 // Model   cpp_model/pu/color/pu_color_sum.hpp
@@ -48,11 +48,9 @@ module pu_color_sum (
   localparam int unsigned TotalW = WorkW + 1;
   localparam int unsigned ProductW = CoefW + BasisW;
   localparam int unsigned SumW = ProductW + 4;          // 15 products
-  localparam int unsigned PairW = 6 * CoefW;            // coefficients of one step
   localparam int unsigned Steps = 8;
   localparam int unsigned ShiftTop = 25 + CoefW + pipegs_pkg::BasisF - WorkF;  // shift - 1 at exponent 0; at least 31
   localparam int unsigned ShiftW = 6;
-  localparam int unsigned Slot1W = pipegs_pkg::MemoryW / 4;
 
   // --- control: which Gaussian is summed, and the tail of the one before ---------------------------------------
   logic [2:0]                  step_q, last_step;
@@ -103,36 +101,41 @@ module pu_color_sum (
   end
 
   // --- operands: the pair of coefficients and basis functions of this step -------------------------------------
-  logic [pipegs_pkg::MemoryW-1:0]      slot;
-  typedef struct packed {logic [Steps-1:0][PairW-1:0] of;} coefs_t;
   typedef struct packed {logic [Steps-1:0][2*BasisW-1:0] of;} functions_t;
   typedef struct packed {logic [5:0][CoefW-1:0] of;} pair_t;  // three channels of one function, then of the other
-  coefs_t                              coefs;
   functions_t                          functions;
   pair_t                               coef_pair, pair_q;
+  logic [ExpW-1:0]                     slot_exponent;
   logic [2*BasisW-1:0]                 function_pair;
   logic signed [BasisW-1:0]            even_q, odd_q;
   logic                                operand_valid_q, operand_first_q, product_valid_q, product_first_q;
 
   always_comb begin
-    slot = line_i;
-    if (sh_degree_i == pipegs_pkg::KindW'(1)) begin
-      for (int unsigned i = 1; i < 4; i += 1) begin
-        if (task_i.quarter == pipegs_pkg::QuarterW'(i)) slot[Slot1W-1:0] = line_i[Slot1W*i +: Slot1W];
-      end
-    end
-    coefs = (Steps*PairW)'(slot[pipegs_pkg::MemoryW-1:ExpW]);
-    if (degree == 2'd1) coefs.of[1][PairW-1:PairW/2] = '0;        // bands hold 3, 8 and 15 functions
-    if (degree == 2'd3) coefs.of[Steps-1][PairW-1:PairW/2] = '0;
-    functions = (2*Steps*BasisW)'(basis_i);
-    coef_pair     = '0;
+    functions     = (2*Steps*BasisW)'(basis_i);
     function_pair = '0;
-    for (int unsigned i = 0; i < Steps; i += 1) begin
-      if (step_q == 3'(i)) begin
-        coef_pair     = coefs.of[i];
-        function_pair = functions.of[i];
-      end
-    end
+    for (int unsigned i = 0; i < Steps; i += 1) if (step_q == 3'(i)) function_pair = functions.of[i];
+  end
+
+  if (pipegs_pkg::Coded) begin : gen_codes
+    pu_color_codes u_codes (
+      .sh_degree_i,
+      .degree_i(degree),
+      .step_i(step_q),
+      .quarter_i(task_i.quarter),
+      .line_i,
+      .pair_o(coef_pair),
+      .exponent_o(slot_exponent)
+    );
+  end else begin : gen_mantissas
+    pu_color_mantissas u_mantissas (
+      .sh_degree_i,
+      .degree_i(degree),
+      .step_i(step_q),
+      .quarter_i(task_i.quarter),
+      .line_i,
+      .pair_o(coef_pair),
+      .exponent_o(slot_exponent)
+    );
   end
 
   always_ff @(posedge clk_i) begin
@@ -160,7 +163,7 @@ module pu_color_sum (
 
   always_ff @(posedge clk_i) begin
     if (pop) begin
-      exponent_q <= slot[ExpW-1:0];
+      exponent_q <= slot_exponent;
       data_q     <= task_i.kind == pipegs_pkg::KindData;
       shaded_q   <= shaded;
     end
@@ -244,8 +247,6 @@ module pu_color_sum (
 
   assign colored_valid_o = colored_valid_q;
   assign colored_o       = colored_q;
-
-  wire unused_fields = &{1'b0, slot};
 
 `ifndef SYNTHESIS
   pipegs_stream_check #(.DataW($bits(colored_o))) u_check_colored (

@@ -4,12 +4,14 @@
 // Paper   Sec. 4.2, Fig. 7: the double buffer for Gaussian parameters before the PU.
 // Idea    A chunk's geometry is a run of lines. pipegs_line_reader asks for the lines of the next chunks while the
 //         present one is sent, so the latency of the memory is hidden behind Lines lines of prefetch.
-// Stream  chunk: one beat per chunk, or an end beat. fetched: one beat per Gaussian, or the end beat in its turn.
+// Stream  chunk: one beat per chunk, or an end beat. fetched: one beat per Gaussian, or the end beat in its turn; a
+//         coded_t, for pu_decode, if Coded.
 // Pace    One Gaussian per cycle while the memory delivers.
 // Model   None: a queue in verif/pu/pu_fetch_test.cpp.
 
 module pu_fetch #(
-  parameter int unsigned Lines = pipegs_pkg::GeometryLines
+  parameter int unsigned Lines = pipegs_pkg::GeometryLines,
+  localparam int unsigned OutW = pipegs_pkg::Coded ? pipegs_pkg::CodedBits : pipegs_pkg::FetchedBits
 ) (
   input  logic                            clk_i,
   input  logic                            rst_ni,
@@ -29,7 +31,7 @@ module pu_fetch #(
 
   output logic                            fetched_valid_o,
   input  logic                            fetched_ready_i,
-  output pipegs_pkg::fetched_t            fetched_o,
+  output logic [OutW-1:0]                 fetched_o,
 
   output logic                            bad_o,             // a chunk of Gaussians that are not there
   output logic [pipegs_pkg::AddressW-1:0] bad_line_o,
@@ -42,16 +44,16 @@ module pu_fetch #(
 
   logic [HeaderW-1:0]                  header;
   logic [pipegs_pkg::ChunkBits-1:0]    chunk;
-  logic [pipegs_pkg::GaussianRecordBits-1:0] item;
+  localparam int unsigned ItemW = pipegs_pkg::Coded ? pipegs_pkg::GaussianCodeBits : pipegs_pkg::GaussianRecordBits;
+  logic [ItemW-1:0]                    item;
   logic [pipegs_pkg::SlotW-1:0]        slot;
-  logic                                is_data;
-  pipegs_pkg::gaussian_t               gaussian;
+  logic                                is_data, last;
 
   assign chunk = chunk_i;  // the header lies lowest, as in what was fetched
 
   pipegs_line_reader #(
     .TagW(HeaderW),
-    .ItemW(pipegs_pkg::GaussianRecordBits),
+    .ItemW(ItemW),
     .ItemsPerLine(pipegs_pkg::GaussiansPerLine),
     .Lines(Lines),
     .Jobs(pipegs_pkg::GeometryJobs)
@@ -75,6 +77,7 @@ module pu_fetch #(
     .out_ready_i(fetched_ready_i),
     .out_read_o(is_data),
     .out_index_o(slot),
+    .out_last_o(last),
     .out_tag_o(header),
     .out_item_o(item),
     .bad_o,
@@ -83,15 +86,10 @@ module pu_fetch #(
     .idle_o
   );
 
-  logic unused_chunk;
-  assign unused_chunk = ^chunk;
+  logic unused;
+  assign unused = ^{chunk, last};
 
-  assign gaussian = is_data ? item : '0;  // an end beat carries zeros
-
-  assign fetched_o = {{pipegs_pkg::SlotW{is_data}} & slot, gaussian.index,
-                      gaussian.base_b, gaussian.base_g, gaussian.base_r, gaussian.opacity,
-                      gaussian.scale_2, gaussian.scale_1, gaussian.scale_0,
-                      gaussian.qz, gaussian.qy, gaussian.qx, gaussian.qw,
-                      gaussian.offset_z, gaussian.offset_y, gaussian.offset_x, header};
+  // Fields of a Gaussian stand in the order of the beat; an end beat carries zeros.
+  assign fetched_o = {{pipegs_pkg::SlotW{is_data}} & slot, {ItemW{is_data}} & item, header};
 
 endmodule

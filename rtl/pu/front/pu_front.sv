@@ -2,8 +2,8 @@
 // pu_front: the part of a PU that fetches the Gaussians of its chunks and culls them.
 //
 // Paper   Fig. 7 (PU), Sec. 4.2.1.
-// Idea    fetch -> cull -> reach (TightCull). One Gaussian a cycle goes in, and of those that leave pu_deal gives each
-//         PU one in Pace cycles, so PuFronts of the PUs can feed all of them. Only wiring here.
+// Idea    fetch -> decode (Coded) -> cull -> reach (TightCull). One Gaussian a cycle goes in, and of those that leave
+//         pu_deal gives each PU one in Pace cycles, so PuFronts of the PUs can feed all of them. Only wiring here.
 // Stream  chunk in; visible out, to pu_deal; a port to external memory for geometry.
 // Pace    One Gaussian per cycle.
 // Model   preprocess() in cpp_model/golden.cpp
@@ -40,11 +40,14 @@ module pu_front #(
   output logic [AddressW-1:0]      bad_line_o,
   output logic                     moved_o,    // a Gaussian was fetched
   output logic                     waiting_o,  // the next Gaussian waits for the memory
-  output logic                     culls_o,    // Gaussians are in the cull
+  output logic                     culls_o,    // Gaussians are in the cull, or before it in pu_decode
   output logic                     idle_o      // no chunk is inside
 );
 
-  logic                 fetched_valid, fetched_ready, survivor_valid, survivor_ready, cull_busy, reach_busy;
+  localparam int unsigned ArrivedW = pipegs_pkg::Coded ? pipegs_pkg::CodedBits : pipegs_pkg::FetchedBits;
+  logic                 arrived_valid, arrived_ready, fetched_valid, fetched_ready, survivor_valid, survivor_ready;
+  logic                 decode_busy, cull_busy, reach_busy;
+  logic [ArrivedW-1:0]  arrived;   // from memory
   pipegs_pkg::fetched_t fetched;
   pipegs_pkg::visible_t survivor;  // of the cull
   pipegs_pkg::gap_t     gap;
@@ -62,14 +65,33 @@ module pu_front #(
     .mem_lines_o(geometry_lines_o),
     .rsp_valid_i(geometry_rsp_valid_i),
     .rsp_data_i,
-    .fetched_valid_o(fetched_valid),
-    .fetched_ready_i(fetched_ready),
-    .fetched_o(fetched),
+    .fetched_valid_o(arrived_valid),
+    .fetched_ready_i(arrived_ready),
+    .fetched_o(arrived),
     .bad_o,
     .bad_line_o,
     .waiting_memory_o(waiting_o),
     .idle_o
   );
+
+  if (pipegs_pkg::Coded) begin : gen_decode
+    pu_decode u_decode (
+      .clk_i,
+      .rst_ni,
+      .coded_valid_i(arrived_valid),
+      .coded_ready_o(arrived_ready),
+      .coded_i(arrived),
+      .fetched_valid_o(fetched_valid),
+      .fetched_ready_i(fetched_ready),
+      .fetched_o(fetched),
+      .busy_o(decode_busy)
+    );
+  end else begin : gen_whole
+    assign fetched_valid = arrived_valid;
+    assign arrived_ready = fetched_ready;
+    assign fetched       = arrived;
+    assign decode_busy   = 1'b0;
+  end
 
   pu_cull u_cull (
     .clk_i,
@@ -111,7 +133,7 @@ module pu_front #(
     assign unused_gap      = &{1'b0, gap};
   end
 
-  assign moved_o = fetched_valid && fetched_ready;
-  assign culls_o = cull_busy || reach_busy;
+  assign moved_o = arrived_valid && arrived_ready;
+  assign culls_o = decode_busy || cull_busy || reach_busy;
 
 endmodule

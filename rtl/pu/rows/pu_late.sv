@@ -35,6 +35,7 @@ module pu_late #(
   output logic                                 color_valid_o,  // SH coefficients
   input  logic                                 color_ready_i,
   output logic [AddressW-1:0]                  color_address_o,
+  output logic [pipegs_pkg::HalvesW-1:0]       color_halves_o,
   input  logic                                 color_rsp_valid_i,
   input  logic [MemoryW-1:0]                   rsp_data_i,
 
@@ -185,6 +186,7 @@ module pu_late #(
     .mem_valid_o(color_valid_o),
     .mem_ready_i(color_ready_i),
     .mem_address_o(color_address_o),
+    .mem_halves_o(color_halves_o),
     .rsp_valid_i(color_rsp_valid_i),
     .rsp_data_i,
     .colored_valid_o(colored_valid),

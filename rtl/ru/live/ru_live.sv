@@ -25,6 +25,7 @@ module ru_live #(
 ) (
   input  logic                              clk_i,
   input  logic                              rst_ni,
+  input  logic [pipegs_pkg::TW-1:0]         rest_i,  // transmittance at which pixels stop, of the frame; 0: 1/TCut
   input  logic                              restart_i,
 
   input  logic                              in_valid_i,
@@ -266,6 +267,7 @@ module ru_live #(
     ru_quads #(.Group(g)) u_quads (
       .clk_i,
       .rst_ni,
+      .rest_i,
       .in_valid_i(half_valid[g]),
       .in_ready_o(half_ready[g]),
       .in_live_i(pairs.live[g]),

@@ -24,6 +24,7 @@ module ru_quads #(
 ) (
   input  logic                             clk_i,
   input  logic                             rst_ni,
+  input  logic [pipegs_pkg::TW-1:0]        rest_i,  // transmittance at which pixels stop, of the frame; 0: 1/TCut
 
   input  logic                             in_valid_i,
   output logic                             in_ready_o,
@@ -233,6 +234,7 @@ module ru_quads #(
     );
     ru_blend u_blend (
       .clk_i,
+      .rest_i,
       .enable_1_i(valid_3_q),
       .code_i    (codes_3_q.of[i]),
       .t_i       (shown.t[i]),

@@ -54,7 +54,15 @@ module su_bitonic (
 
   assign in_ready_o  = !sorting_q && !loaded_q && (fill_q >= live_q || fill_q < sent_q);
   assign out_valid_o = !sorting_q && sent_q < live_q;
-  assign {out_key_o, out_slot_o} = DataW'(items_q.of[sent_q[ChannelW-1:0]]);
+  // Chosen place by place: as an index it is a shifter of all bits where ItemW is no power of 2.
+  logic [DataW-1:0] head;
+  always_comb begin
+    head = '0;
+    for (int unsigned i = 0; i < Channels; i += 1) begin
+      if (sent_q[ChannelW-1:0] == ChannelW'(i)) head = items_q.of[i][DataW-1:0];
+    end
+  end
+  assign {out_key_o, out_slot_o} = head;
   assign load        = in_valid_i && in_ready_o;
   assign send        = out_valid_o && out_ready_i;
   assign start       = !sorting_q && loaded_q && sent_q == live_q;

@@ -79,10 +79,10 @@ int explain(const ExplainArguments& arguments) {
   const std::map<uint32_t, ExactStep> exact = exact_steps(loaded, truth, x, y);
   if (!arguments.no_rtl) simulate_rtl(options, simulation);
   std::map<uint32_t, StreamCheck::Seen> rtl;
-  for (const StreamCheck::Seen& seen : simulation.seen) rtl.emplace(seen.index, seen);
+  for (const StreamCheck::Seen& seen : simulation.seen) rtl.emplace(simulation.packed.scene_index(seen.index), seen);
 
   const Config& config = options.config;
-  const BlendConstants constants(config);
+  const BlendConstants constants(config, simulation.input.frame.raster.rest);
   const GoldenWindow window =
       golden_window(simulation.input, static_cast<uint64_t>(x / side), static_cast<uint64_t>(y / side));
   const int region = region_at(config, x % side / 8, y % side / 8), bit = region_bit(config, region),
@@ -102,7 +102,7 @@ int explain(const ExplainArguments& arguments) {
       if ((splat.splat.mask >> bit & 1) == 0 || pixel.done) continue;
       uint16_t codes[kRegionPixels];
       golden_codes(config, splat.job, bit, codes);
-      const auto index = static_cast<uint32_t>(splat.splat.index);
+      const uint32_t index = simulation.packed.scene_index(splat.splat.index);
       const auto truth_step = exact.find(index);
       const uint32_t color[3] = {static_cast<uint32_t>(splat.splat.red), static_cast<uint32_t>(splat.splat.green),
                                  static_cast<uint32_t>(splat.splat.blue)};

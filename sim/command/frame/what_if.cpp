@@ -68,7 +68,7 @@ std::vector<Machine> machines_of(const WhatIfArguments& arguments) {
     arguments.memory.apply(machine.options);
     options.push_back(machine.options);
   }
-  arguments.base.check_walks(options);
+  arguments.base.check_fields(options);
   return machines;
 }
 

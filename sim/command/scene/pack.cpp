@@ -81,6 +81,9 @@ int pack(const PackArguments& arguments) {
   if (options.window) throw ConfigError("--window: found one, expected none: what is packed serves every window");
   if (arguments.view.walk_most)
     throw ConfigError("--walk-most: found one, expected none: the host says it in each job");
+  if (arguments.view.rest != 0) throw ConfigError("--rest: found one, expected none: the host says it in each job");
+  if (arguments.view.lod_pixels != 0)
+    throw ConfigError("--lod-pixels: found one, expected none: the host says it in each job");
   try_folder("--out", arguments.out, {"image.bin", "scene.h"});
   const LoadedView loaded = load_view(arguments.view);
   follow_scene(loaded, options);

@@ -11,6 +11,7 @@
 
 #include "scenes/percentile.hpp"
 #include "sim/design/design_point.hpp"
+#include "sim/report/finite.hpp"
 #include "sim/report/table.hpp"
 
 namespace pipegs {
@@ -80,6 +81,12 @@ TableCell cell(const Quantity& quantity, const FrameRow& row) {
   return row.cost ? number_cell(quantity.of(row)) : TableCell{};
 }
 
+std::vector<double> given_up(const FrameTable& table, std::optional<double> FrameRow::*field) {
+  std::vector<double> all;
+  for (const FrameRow& row : table.rows) all.push_back((row.*field).value_or(0));
+  return all;
+}
+
 std::vector<Quality> qualities(const FrameTable& table) {
   std::vector<Quality> all;
   for (const FrameRow& row : table.rows) all.push_back(row.quality);
@@ -93,6 +100,8 @@ Table frames_table(const FrameTable& table) {
                            {.key = "camera", .heading = "camera", .word = true},
                            {.key = "width", .heading = "width"},
                            {.key = "height", .heading = "height"},
+                           {.key = "rest", .heading = "rest", .digits = 4},
+                           {.key = "lod_pixels", .heading = "lod, pixels", .digits = 2},
                            {.key = "cycles", .heading = "cycles"},
                            {.key = "gap_alone", .heading = "gap"},
                            {.key = "cycles_queued", .heading = "queued"},
@@ -102,7 +111,8 @@ Table frames_table(const FrameTable& table) {
                            {.key = "bytes_written", .heading = "written"},
                            {.key = "us", .heading = "us", .digits = 1},
                            {.key = "chip_uj", .heading = "uJ, chip", .digits = 1},
-                           {.key = "dram_uj", .heading = "uJ, DRAM", .digits = 1}}};
+                           {.key = "dram_uj", .heading = "uJ, DRAM", .digits = 1},
+                           {.key = "steady_db", .heading = "dB to the frame before", .digits = 2}}};
   const std::vector<Quality> quality = qualities(table);
   add_columns(frames, quality);
   for (size_t i = 0; i < table.rows.size(); ++i) {
@@ -112,6 +122,8 @@ Table frames_table(const FrameTable& table) {
                            text_cell(row.camera.name),
                            number_cell(row.camera.width),
                            number_cell(row.camera.height),
+                           row.rest ? number_cell(*row.rest) : TableCell{},
+                           row.lod_pixels ? number_cell(*row.lod_pixels) : TableCell{},
                            cell(row.cycles),
                            cell(row.gap_alone),
                            cell(row.cycles_queued),
@@ -121,7 +133,8 @@ Table frames_table(const FrameTable& table) {
                            cell(row.bytes.written),
                            cell(kTime, row),
                            cell(kChip, row),
-                           cell(kDram, row)});
+                           cell(kDram, row),
+                           row.steady ? number_cell(*row.steady) : TableCell{}});
     add_cells(frames.rows.back(), quality, i);
   }
   return frames;
@@ -192,6 +205,9 @@ Json to_json(const FrameTable& table) {
                 {"camera", row.camera.name},
                 {"width", row.camera.width},
                 {"height", row.camera.height}};
+    if (row.rest) one["rest"] = *row.rest;
+    if (row.lod_pixels) one["lod_pixels"] = *row.lod_pixels;
+    if (row.steady) one["steady_db"] = finite_json(*row.steady);
     if (row.mismatches) one["mismatches"] = *row.mismatches;
     if (row.cycles_queued) one["cycles_queued"] = *row.cycles_queued;
     one["cycles_alone"] = row.cycles;
@@ -260,6 +276,12 @@ std::vector<Chart> frame_charts(const FrameTable& table) {
     charts.push_back(over_frames(
         "energy", "Energy of each frame, 28 nm", "uJ",
         {{.name = "chip", .values = values(table, kChip)}, {.name = "DRAM", .values = values(table, kDram)}}));
+  if (table.rows[0].lod_pixels)
+    charts.push_back(over_frames("lod", "Level of detail of each frame", "pixels",
+                                 {{.name = "lod_pixels", .values = given_up(table, &FrameRow::lod_pixels)}}));
+  if (table.rows[0].rest)
+    charts.push_back(over_frames("rest", "Transmittance below which a pixel's next Gaussian is its last", "",
+                                 {{.name = "rest", .values = given_up(table, &FrameRow::rest)}}));
   for (const Chart& chart : quality_charts(qualities(table))) charts.push_back(chart);
   charts.push_back(histogram("frames_by_cycles", "How many frames take so many cycles", "cycles",
                              values(table, kCycles),

@@ -22,7 +22,10 @@ namespace pipegs {
 struct FrameRow {
   double view = 0;  // its number in the file; between two on a path
   Camera camera;
-  uint64_t cycles = 0;  // of the frame alone
+  std::optional<double> rest = {};        // transmittance below which a pixel stops, where the machine has the field
+  std::optional<double> lod_pixels = {};  // proxies that differ by less than so many, where the machine has proxies
+  std::optional<double> steady = {};      // PSNR to the frame before, where that is as large
+  uint64_t cycles = 0;                    // of the frame alone
   MemoryBytes bytes;
   std::optional<FrameCost> cost = {};
   // Of the RTL, where it has run.

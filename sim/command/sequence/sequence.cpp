@@ -6,7 +6,12 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <utility>
 
+#include "cpp_model/dopu/nearest/dopu_lod.hpp"
+#include "cpp_model/driver/pipegs_budget.h"
+#include "cpp_model/float/metrics.hpp"
+#include "cpp_model/frame_setup.hpp"
 #include "scenes/cameras/path.hpp"
 #include "scenes/check/view_check.hpp"
 #include "scenes/text/json.hpp"
@@ -40,6 +45,7 @@ std::vector<FrameRow> path_of(const std::vector<FrameRow>& views, int frames) {
 struct KeptFrame {
   uint64_t cycles = 0;
   MemoryBytes bytes;
+  std::optional<double> steady;
   std::optional<Quality::Truth> truth;
   Json files;  // FrameFiles::fingerprint
 };
@@ -48,13 +54,41 @@ KeptFrame read_kept(const Json& json) {
   KeptFrame kept{json_integer<uint64_t>(json.at("cycles")),
                  {json_integer<uint64_t>(json.at("read")), json_integer<uint64_t>(json.at("written"))},
                  {},
+                 {},
                  json.at("files")};
+  if (json.contains("steady")) kept.steady = psnr_from(json.at("steady"));
   if (json.contains("truth")) {
     const Json& truth = json.at("truth");
     kept.truth = {psnr_from(truth.at("numeric")), psnr_from(truth.at("order")), psnr_from(truth.at("total"))};
   }
   return kept;
 }
+
+// What each frame gives up, rest and level of detail: as the options say, or the driver, by what the frame before took.
+class Levels {
+ public:
+  Levels(const SimulateOptions& options, const Camera& camera, uint64_t cycles) {
+    const pipegs_configuration config = driver_configuration(options.config);
+    const pipegs_camera seen = driver_camera(camera, options.near_plane);
+    if (cycles == 0) return;
+    if (!pipegs_budget_begin(&config, &seen, cycles, &budget_.emplace()))
+      throw ConfigError("--budget: found a machine that can give up nothing, expected early_stop=1 or lod=1");
+  }
+  bool budget() const { return budget_.has_value(); }
+  void set(Frame& frame) {
+    if (!budget_) return;
+    pipegs_frame fields = {};
+    pipegs_budget_set(&*budget_, &fields);
+    frame.raster.rest = fields.raster_rest;
+    frame.lod = fields.lod;
+  }
+  void took(uint64_t cycles) {
+    if (budget_) pipegs_budget_took(&*budget_, cycles);
+  }
+
+ private:
+  std::optional<pipegs_budget> budget_;
+};
 
 class Sequence {
  public:
@@ -70,18 +104,25 @@ class Sequence {
   }
 
   // The golden model draws, the timing model counts; one frame after the other.
-  void model(const std::string& keep) {
+  void model(const std::string& keep, uint64_t budget) {
+    Levels levels(options_, table_.rows[0].camera, budget);
     const MeasurementStore store(keep, scene_, table_.rows[0].camera, options_,
                                  {{"sequence", packed_.scene_exponent}, {"background", picture_.background}});
     Progress progress("frames");
+    Frame last;  // of the frame before
     for (size_t i = 0; i < table_.rows.size(); ++i) {
       FrameRow& row = table_.rows[i];
-      const MeasurementStore mine = store.of(row.camera);
+      Simulation simulation;
+      const Frame frame = set_up(row, levels, simulation), before = std::exchange(last, frame);
+      const MeasurementStore mine = store.of(row.camera).with({{"rest", frame.raster.rest}, {"lod", frame.lod}});
       const auto kept = mine.load(options_.config, read_kept);
       if (kept && (kept->truth || !truth_) && files_.take(kept->files)) {
         row.cycles = kept->cycles;
         row.bytes = kept->bytes;
+        row.steady = kept->steady;
         if (truth_) row.quality.truth = kept->truth;
+        levels.took(row.cycles);
+        before_ = {};
         continue;
       }
       const auto at = [&](double share) {
@@ -91,19 +132,20 @@ class Sequence {
         progress.update((static_cast<double>(i) + share) / static_cast<double>(table_.rows.size()),
                         fmt::format("{} of {}", i + 1, table_.rows.size()));
       };
-      Simulation simulation;
-      simulate_frame(packed_, row.camera, options_, simulation);
+      if (i > 0 && before_.width == 0) draw_again(table_.rows[i - 1].camera, before);
       simulate_golden(options_, simulation, {.progress = [&](double share) { at(0.4 * share); }});
-      write(simulation);
+      write(simulation, row);
       at(0.4);
       const TimingResult timing = timing_run(timing_trace(simulation.input), options_.config, options_.memory);
       row.cycles = timing.cycles;
+      levels.took(row.cycles);
       for (const MemoryTraffic& stream : timing.streams)
         row.bytes = {row.bytes.read + stream.bytes_read, row.bytes.written + stream.bytes_written};
       Json measured = {{"cycles", row.cycles},
                        {"read", row.bytes.read},
                        {"written", row.bytes.written},
                        {"files", files_.fingerprint()}};
+      if (row.steady) measured["steady"] = finite_json(*row.steady);
       if (const auto truth = hold_to_truth(row, simulation))
         measured["truth"] = {{"numeric", finite_json(truth->numeric_db)},
                              {"order", finite_json(truth->order_db)},
@@ -113,13 +155,16 @@ class Sequence {
   }
 
   // All frames through the RTL, queued and alone.
-  void rtl(const std::function<std::string(std::optional<int64_t>)>& replay) {
+  void rtl(const std::function<std::string(std::optional<int64_t>)>& replay, uint64_t budget) {
+    Levels levels(options_, table_.rows[0].camera, budget);
     std::vector<std::unique_ptr<Simulation>> simulations;
     std::vector<Simulation*> frames;
     for (FrameRow& row : table_.rows) {
       frames.push_back(simulations.emplace_back(std::make_unique<Simulation>()).get());
-      simulate_frame(packed_, row.camera, options_, *frames.back());
+      set_up(row, levels, *frames.back());
       simulate_golden(options_, *frames.back());
+      if (levels.budget())
+        levels.took(timing_run(timing_trace(frames.back()->input), options_.config, options_.memory).cycles);
       hold_to_truth(row, *frames.back());
       row.mismatches = 0;
     }
@@ -133,7 +178,7 @@ class Sequence {
         throw;
       }
     }
-    for (const Simulation* frame : frames) write(*frame);
+    for (size_t i = 0; i < frames.size(); ++i) write(*frames[i], table_.rows[i]);
     if (wrong_.is_null()) return;
     // Waves are of the first run.
     const bool queued = wrong_["queued"];
@@ -162,8 +207,31 @@ class Sequence {
     return row.quality.truth;
   }
 
-  void write(const Simulation& simulation) {
-    files_.add(picture_of(simulation, options_), picture_.picture(simulation, options_));
+  void write(const Simulation& simulation, FrameRow& row) {
+    Image now = picture_of(simulation, options_);
+    if (now.width == before_.width && now.height == before_.height) row.steady = psnr(before_, now);
+    files_.add(now, picture_.picture(simulation, options_));
+    before_ = std::move(now);
+  }
+
+  // The picture of a frame that was kept, for the one behind it.
+  void draw_again(const Camera& camera, const Frame& frame) {
+    Simulation simulation;
+    simulate_frame(packed_, camera, options_, simulation);
+    simulation.input.frame = frame;
+    simulate_golden(options_, simulation, {});
+    before_ = picture_of(simulation, options_);
+  }
+
+  Frame set_up(FrameRow& row, Levels& levels, Simulation& simulation) const {
+    simulate_frame(packed_, row.camera, options_, simulation);
+    Frame& frame = simulation.input.frame;
+    levels.set(frame);
+    const Config& config = options_.config;
+    if (levels.budget() || options_.rest != 0)
+      row.rest = std::ldexp(static_cast<double>(frame.raster.rest), -config.rest_w());
+    if (config.lod) row.lod_pixels = dopu_lod_pixels(config, row.camera.fx, frame.lod);
+    return frame;
   }
 
   // What a run says of each frame: cycles from the end of the frame before, or from the start, to its own.
@@ -199,9 +267,17 @@ class Sequence {
   const bool truth_;
   FrameFiles files_;
   PackedScene packed_;
+  Image before_;  // the picture that was written last
   std::optional<Mismatch> first_;
   Json wrong_;  // the same
 };
+
+// An integer, or one of thousands or millions: 4000000, 4000k, 4M.
+uint64_t parse_cycles(const std::string& text) {
+  const char last = text.empty() ? ' ' : text.back();
+  const uint64_t unit = last == 'k' ? 1000 : last == 'M' ? 1000000 : 1, most = uint64_t{1} << 40;
+  return unit * parse_integer<uint64_t>(unit == 1 ? text : text.substr(0, text.size() - 1), 1, most / unit);
+}
 
 FrameFilesOptions files_of(const SequenceArguments& sequence, const std::string& out) {
   const auto wanted = [&](const char* kind) {
@@ -218,14 +294,21 @@ void SequenceArguments::add(CLI::App& app) {
   add_names(app, "--frames", frames, "of a sequence: its pictures in --out, png, exr or none by commas")
       .shows_default();
   add_flag(app, "--truth", truth, "of a sequence: the float64 renders and the PSNR of each frame, too");
+  add_read(app, "--budget",
+           "of a sequence: cycles of a frame, such as 4M, which the driver holds by --rest and --lod-pixels", "INT",
+           [this](const std::string& text) { budget = parse_cycles(text); });
 }
 
 void SequenceArguments::check(const CLI::App& command, const std::string& out) const {
-  for (const char* option : {"--frames", "--truth"}) {
+  for (const char* option : {"--frames", "--truth", "--budget"}) {
     if (!wanted() && is_given(command, option))
       throw ConfigError(fmt::format("{}: found one frame, expected --views or --path", option));
   }
   if (!wanted()) return;
+  for (const char* option : {"--rest", "--lod-pixels"}) {
+    if (budget != 0 && is_given(command, option))
+      throw ConfigError(fmt::format("{}: found --budget, too, expected one of them", option));
+  }
   for (const std::string& kind : frames) {
     if (kind != "png" && kind != "exr" && (kind != "none" || frames.size() > 1))
       throw ConfigError(fmt::format("--frames: found {}, expected png, exr or none alone", quote(kind)));
@@ -262,8 +345,8 @@ int run_sequence(const ViewArguments& view, const SequenceArguments& sequence, c
       if (against.wanted()) like.push_back(against.figures(like.size(), shown));
     };
   Sequence frames(loaded, std::move(rows), simulated, picture, sequence.truth, files);
-  if (run.rtl) frames.rtl(run.replay);
-  else frames.model(run.out + "/kept");
+  if (run.rtl) frames.rtl(run.replay, sequence.budget);
+  else frames.model(run.out + "/kept", sequence.budget);
   const FrameTable& table = frames.finish(like);
   Json json = to_json(table);
   json["first_mismatch"] = frames.wrong();

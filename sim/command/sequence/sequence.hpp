@@ -4,7 +4,8 @@
 // Idea    --views takes views of the file, the framing or the orbit; --path takes them for key views of a smooth way of
 //         so many frames. With the RTL all frames run twice, each queued behind the one before and each when the
 //         machine is empty, and every beat and pixel is compared. With --no-rtl the golden model draws and the timing
-//         model counts, frame by frame: for hundreds of frames, and a run that was stopped goes on where it was.
+//         model counts, frame by frame: for hundreds of frames, and a run that was stopped goes on where it was. With
+//         --budget the driver (pipegs_budget.h) chooses what each frame gives up by what the last one took.
 // Writes  Pictures (frame_files.hpp), sequence.json, frames.csv; sequence.html with --page; kept/ with --no-rtl.
 #pragma once
 
@@ -24,7 +25,8 @@ struct SequenceArguments {
   std::vector<int> views;  // first and last; nothing: not asked for
   int path = 0;            // frames
   std::vector<std::string> frames = {"png"};
-  bool truth = false;  // the float64 renders of each frame, too
+  bool truth = false;   // the float64 renders of each frame, too
+  uint64_t budget = 0;  // cycles of a frame; 0: rest and level of detail are those of the options
 
   void add(CLI::App& app);
   bool wanted() const { return !views.empty() || path > 0; }

@@ -53,21 +53,23 @@ void AxiMemory::observe(const AxiManagerSide& manager) {
 }
 
 void AxiMemory::take_read(const AxiAddress& address) {
-  const uint64_t bytes = static_cast<uint64_t>(options_.data_w) / 8;
-  if (address.address % kLineBytes != 0 || (static_cast<uint64_t>(address.length) + 1) * bytes % kLineBytes != 0) {
-    throw std::runtime_error("AXI memory: a burst that is not made of lines of 64 bytes");
+  const uint64_t bytes = (static_cast<uint64_t>(address.length) + 1) << address.size;
+  const bool half = bytes == kLineBytes / 2 && address.address % bytes == 0;
+  if (!half && (address.address % kLineBytes != 0 || bytes % kLineBytes != 0)) {
+    throw std::runtime_error("AXI memory: a burst that is neither lines of 64 bytes nor half of one");
   }
-  const uint64_t lines = (static_cast<uint64_t>(address.length) + 1) * bytes / kLineBytes;
+  const uint64_t lines = half ? 1 : bytes / kLineBytes;
+  const int halves = !half ? 3 : address.address % kLineBytes == 0 ? 1 : 2;
   const bool sampled = options_.harsh && rng_() % 2 == 0;
   Reads& reads = reads_[address.id];
   ++bursts_;
   for (uint64_t i = 0; i < lines; ++i) {
     const uint64_t line = address.address / kLineBytes + i;
     const bool last = i + 1 == lines;
-    reads.lines.push_back({line, {}, last, false, response(line, fail_reads)});
+    reads.lines.push_back({line, {}, last, false, response(line, fail_reads), halves});
     if (sampled) sample(reads.lines.back());
   }
-  if (!options_.harsh) timing_.read(address.address / kLineBytes, static_cast<int>(lines), address.id);
+  if (!options_.harsh) timing_.read(address.address / kLineBytes, static_cast<int>(lines), address.id, halves);
   if (options_.harsh) {
     reads.due.push_back(now_ + 1 + static_cast<int64_t>(rng_() % static_cast<uint64_t>(options_.read_delay)));
   }
@@ -144,13 +146,19 @@ void AxiMemory::show_beat(uint32_t id) {
   Line& line = reads.lines.front();
   const size_t words = static_cast<size_t>(options_.data_w) / 32;
   if (!line.sampled && reads.beat == 0) sample(line);
-  const auto first = line.data.begin() + static_cast<std::ptrdiff_t>(static_cast<size_t>(reads.beat) * words);
-  const bool ends = static_cast<size_t>(reads.beat + 1) * words == line.data.size();
+  // Half a line is as many beats less, or, on a bus as wide as a line, one of which the other half is noise.
+  const size_t all = line.data.size(), from = line.halves == 2 && words < all ? all / 2 : 0,
+               until = line.halves == 1 && words < all ? all / 2 : all,
+               at = from + static_cast<size_t>(reads.beat) * words;
+  const auto first = line.data.begin() + static_cast<std::ptrdiff_t>(at);
+  const bool ends = at + words == until;
   shown_.r.valid = true;
   shown_.r.id = id;
   shown_.r.response = line.response;
   shown_.r.last = ends && line.last;
   std::copy(first, first + static_cast<std::ptrdiff_t>(words), shown_.r.data.begin());
+  if (line.halves != 3 && words == all)
+    std::fill_n(shown_.r.data.begin() + (line.halves == 1 ? 8 : 0), 8, static_cast<uint32_t>(rng_()));
   reads.beat = ends ? 0 : reads.beat + 1;
   if (!ends) return;
   const bool last = line.last;

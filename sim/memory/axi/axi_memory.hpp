@@ -68,6 +68,7 @@ class AxiMemory {
     bool last;     // of its burst
     bool sampled;  // data is that of the memory; else it is looked at when the line leaves
     AxiResponse response;
+    int halves;
   };
   struct Reads {  // of one ID
     std::deque<Line> lines;

@@ -15,9 +15,10 @@ void AxiRules::check_address(const std::string& channel, const AxiAddress& now, 
   if (before.valid && now != before) fail(channel, "the address changed before it was taken");
   if (!now.valid) return;
   if (now.burst != 1) fail(channel, "a burst that is not INCR");
-  if (1 << now.size != bytes_) fail(channel, "beats narrower or wider than the bus");
+  if (1 << now.size != bytes_ && (channel != "AR" || now.length != 0 || 1 << now.size > bytes_))
+    fail(channel, "beats narrower or wider than the bus");
   if (now.length < 0 || now.length > 255) fail(channel, "a burst of more than 256 beats");
-  if (now.address % static_cast<uint64_t>(bytes_) != 0) fail(channel, "an address that is not aligned");
+  if (now.address % (uint64_t{1} << now.size) != 0) fail(channel, "an address that is not aligned");
   const uint64_t last = now.address + static_cast<uint64_t>(now.length) * static_cast<uint64_t>(bytes_);
   if (now.address / 4096 != last / 4096) fail(channel, "a burst crosses 4 KB");
 }

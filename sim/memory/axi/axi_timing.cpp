@@ -25,7 +25,7 @@ void AxiTiming::step() {
   if (beat_ == 0 && !back_.empty()) {
     shown_ = back_.front();
     beat_ = sent_ + 1;
-    if (beat_ == beats_) back_.pop_front();
+    if (line_ends()) back_.pop_front();
   }
   if (!answer_ && !answers_.empty() && answers_.front() <= now_) {
     answers_.pop_front();
@@ -33,20 +33,20 @@ void AxiTiming::step() {
   }
 }
 
-void AxiTiming::read(uint64_t line, int lines, uint32_t id) {
-  for (int i = 0; i < lines; ++i) asks_.push_back({false, line + static_cast<uint64_t>(i), id, i + 1 == lines});
+void AxiTiming::read(uint64_t line, int lines, uint32_t id, int halves) {
+  for (int i = 0; i < lines; ++i) asks_.push_back({false, line + static_cast<uint64_t>(i), id, i + 1 == lines, halves});
 }
 
 std::optional<AxiLine> AxiTiming::end(bool r_ready, bool b_ready) {
   if (beat_ > 0 && r_ready) {
-    sent_ = beat_ == beats_ ? 0 : beat_;
+    sent_ = line_ends() ? 0 : beat_;
     beat_ = 0;
   }
   if (b_ready) answer_ = false;
   if (asks_.empty() || !timing_->ready()) return std::nullopt;
   const AxiLine ask = asks_.front();
   asks_.pop_front();
-  timing_->request(ask.write, ask.line, static_cast<int>(ask.id & 0xff), 1);
+  timing_->request(ask.write, ask.line, static_cast<int>(ask.id & 0xff), 1, ask.halves);
   if (ask.write) {
     answers_.push_back(now_ + write_latency_);
   } else {

@@ -24,6 +24,7 @@ struct AxiLine {  // on its way to the timing
   uint64_t line = 0;
   uint32_t id = 0;
   bool last = true;  // of its burst
+  int halves = 3;    // of the line that is read
 };
 
 class AxiTiming {
@@ -34,14 +35,14 @@ class AxiTiming {
   void step();  // the next cycle begins
 
   // What shows in this cycle.
-  bool ready() const { return ready_; }               // AR, AW and W
-  bool beat() const { return beat_ > 0; }             // R is valid
-  bool line_ends() const { return beat_ == beats_; }  // with the last beat of a line
+  bool ready() const { return ready_; }                      // AR, AW and W
+  bool beat() const { return beat_ > 0; }                    // R is valid
+  bool line_ends() const { return beat_ == beats(shown_); }  // with the last beat of a line
   const AxiLine& beat_line() const { return shown_; }
   bool answer() const { return answer_; }  // B is valid
 
   // What is accepted in this cycle; a write when both its address and its last beat have come.
-  void read(uint64_t line, int lines, uint32_t id);
+  void read(uint64_t line, int lines, uint32_t id, int halves = 3);
   void write(uint64_t line, uint32_t id) { asks_.push_back({true, line, id, true}); }
   // The cycle is over; R and B are taken if they are ready. What the timing has taken in it, if anything.
   std::optional<AxiLine> end(bool r_ready, bool b_ready);
@@ -49,6 +50,8 @@ class AxiTiming {
   const Dram* dram() const { return timing_->dram(); }
 
  private:
+  int beats(const AxiLine& line) const { return line.halves == 3 ? beats_ : (beats_ + 1) / 2; }
+
   std::unique_ptr<MemoryTiming> timing_;
   int beats_, write_latency_;
   int64_t now_ = 0;

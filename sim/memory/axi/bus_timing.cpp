@@ -18,7 +18,7 @@ int BusTiming::step() {
   b_taken_ = axi_.answer() && writes_.valid;
   line_ = axi_.beat() && axi_.line_ends() ? static_cast<int>(axi_.beat_line().id) : kNoAnswer;
   read_ends_ = line_ != kNoAnswer && axi_.beat_line().last;
-  if (ar_valid_ && ar_ready_) axi_.read(ar_.line, ar_.lines, static_cast<uint32_t>(ar_.tag));
+  if (ar_valid_ && ar_ready_) axi_.read(ar_.line, ar_.lines, static_cast<uint32_t>(ar_.tag), ar_.halves);
   if (aw_valid_ && aw_ready_) addresses_.push_back(aw_line_);
   if (w_valid_ && w_ready_ && last_beat()) ++data_;
   for (; data_ > 0 && !addresses_.empty(); --data_, addresses_.pop_front()) axi_.write(addresses_.front(), 0);
@@ -33,10 +33,10 @@ bool BusTiming::due() const {
   return leaving_ || since >= static_cast<uint64_t>(writes_.count());
 }
 
-bool BusTiming::offer(bool write, uint64_t line, int tag, int lines) {
+bool BusTiming::offer(bool write, uint64_t line, int tag, int lines, int halves) {
   offered_ = true;
   offered_write_ = write;
-  offer_ = {.line = line, .tag = tag, .lines = lines, .stamp = stamp_};
+  offer_ = {.line = line, .tag = tag, .lines = lines, .halves = halves, .stamp = stamp_};
   if (write) {
     accepted_ = writes_.count() < Config::bus_writes() && address_free() && data_free();
     return accepted_;

@@ -20,8 +20,8 @@ class BusTiming final : public MemoryTiming {
 
   int step() override;
   bool ready() const override { return false; }  // it depends on what is asked: see offer
-  void request(bool, uint64_t, int, int) override {}
-  bool offer(bool write, uint64_t line, int tag, int lines) override;
+  void request(bool, uint64_t, int, int, int = 3) override {}
+  bool offer(bool write, uint64_t line, int tag, int lines, int halves = 3) override;
   const Dram* dram() const override { return axi_.dram(); }
 
  private:
@@ -38,7 +38,7 @@ class BusTiming final : public MemoryTiming {
   };
   struct Read {
     uint64_t line = 0;
-    int tag = 0, lines = 1;
+    int tag = 0, lines = 1, halves = 3;
     uint64_t stamp = 0;  // writes accepted before it
   };
 

@@ -52,10 +52,15 @@ Dram::Dram(const DramTiming& timing, double machine_clock_ghz)
   next_all_ = *std::min_element(next_.begin(), next_.begin() + timing.channels);
 }
 
-void Dram::request(bool write, uint64_t line, uint32_t id) {
+void Dram::request(bool write, uint64_t line, uint32_t id, int halves) {
   if (!ready()) throw std::logic_error("dram: a line is given while not ready");
-  const uint64_t burst = line_shift_ >= 0 ? line << line_shift_ : line >> -line_shift_;
-  Waiting waiting{burst, places_(burst), bursts_per_line_, 0, write};
+  uint64_t burst = line_shift_ >= 0 ? line << line_shift_ : line >> -line_shift_;
+  int bursts = bursts_per_line_;
+  if (halves != 3 && bursts > 1) {
+    bursts /= 2;
+    if (halves == 2) burst += static_cast<uint64_t>(bursts);
+  }
+  Waiting waiting{burst, places_(burst), bursts, 0, write};
   if (write) {
     ++writes_;
   } else {
@@ -63,7 +68,7 @@ void Dram::request(bool write, uint64_t line, uint32_t id) {
     waiting.slot = static_cast<uint32_t>(free_);
     Line& slot = lines_[waiting.slot];
     free_ = slot.left;
-    slot = {id, bursts_per_line_, step_};
+    slot = {id, bursts, step_};
   }
   if (waiting_ == 0 && offer(waiting, dram_cycle(step_))) return;
   front_[(first_waiting_ + waiting_++) & (static_cast<int>(front_.size()) - 1)] = waiting;

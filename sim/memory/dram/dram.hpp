@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // dram.hpp: the memory outside the chip as DRAM: lines of 64 bytes go in, reads come back when the DRAM has them.
 //
-// Idea    A line is cut into bursts of the DRAM, each goes to its channel (dram_channel.hpp). Lines enter in order: one
-//         that meets a full queue waits at the front, and those behind it wait too, so that `ready()` does not depend
-//         on an address. A read is done when its last burst has arrived; a write is done when it is accepted, and a
-//         read that follows a waiting write to the same line is answered from it.
-//         Only timing is kept here, no contents. Nothing is allocated after construction; a step in which nothing can
-//         happen is one comparison.
+// Idea    A line, or half of one, is cut into bursts of the DRAM, each goes to its channel (dram_channel.hpp). Lines
+//         enter in order: one that meets a full queue waits at the front, and those behind it wait too, so that
+//         `ready()` does not depend on an address. A read is done when its last burst has arrived; a write is done when
+//         it is accepted, and a read that follows a waiting write to the same line is answered from it. Only timing is
+//         kept here, no contents. Nothing is allocated after construction; a step in which nothing can happen is one
+//         comparison.
 // Units   step() is one cycle of the machine; inside, cycles of the DRAM.
 // Docs    docs/cycles/memory_timing.md
 #pragma once
@@ -60,7 +60,8 @@ class Dram {
   explicit Dram(const DramTiming& timing, double machine_clock_ghz = 1.0);
 
   bool ready() const { return waiting_ < timing_.front_queue && free_ >= 0; }  // may a line be given now
-  void request(bool write, uint64_t line, uint32_t id);                        // only if ready; `id` names a read
+  // Only if ready; `id` names a read. `halves`: which 32 bytes of the line are needed, of which bursts may be fewer.
+  void request(bool write, uint64_t line, uint32_t id, int halves = 3);
   void step() {
     if (const DramCycle until = dram_cycle(++step_); until >= next_all_) advance(until);
   }

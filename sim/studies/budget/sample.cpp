@@ -114,9 +114,10 @@ class Sampler {
         camera_(sample_camera()),
         scene_(sample_scene(seed, count)),
         packed_(pack_scene(config, scene_, 2 * kNear)),
+        chunks_(packed_.own_chunks()),
         frame_(frame_setup(config, packed_, camera_, {}, kNear)),
         alpha_(config) {}
-  size_t chunks() const { return packed_.chunks.size(); }
+  size_t chunks() const { return chunks_.size(); }
   void chunk(size_t number, uint64_t seed, std::vector<BudgetSample>& samples) const;
 
  private:
@@ -126,6 +127,7 @@ class Sampler {
   Camera camera_;
   Scene scene_;
   PackedScene packed_;
+  std::vector<Node> chunks_;  // of it
   Frame frame_;
   PuAlpha alpha_;
 };
@@ -192,7 +194,7 @@ std::optional<BudgetSample> Sampler::sample(const Node& node, uint64_t slot, Ran
 }
 
 void Sampler::chunk(size_t number, uint64_t seed, std::vector<BudgetSample>& samples) const {
-  const Node& node = packed_.chunks[number];
+  const Node& node = chunks_[number];
   Random random(generate::mixed(seed ^ generate::mixed(number)));
   for (uint64_t slot = node.first; slot < node.first + node.count; ++slot) {
     if (const std::optional<BudgetSample> one = sample(node, slot, random)) samples.push_back(*one);

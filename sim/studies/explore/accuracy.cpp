@@ -140,8 +140,9 @@ SweptKnob swept(const Config& base, const Knob& knob, bool window_fixed, std::ve
 std::vector<Point> AccuracySweep::all() const {
   std::vector<Point> points = {base};
   const auto add = [&](const Point& point) {
-    const bool known =
-        std::any_of(points.begin(), points.end(), [&](const Point& other) { return other.config == point.config; });
+    const bool known = std::any_of(points.begin(), points.end(), [&](const Point& other) {
+      return other.config == point.config && other.value.less == point.value.less;
+    });
     if (!known) points.push_back(point);
   };
   for (const SweptKnob& knob : knobs) {

@@ -35,7 +35,7 @@ struct AccuracySweep {
   std::vector<Point> together;
   std::vector<std::string> skipped;  // values that do not fit the base or the window, each with its reason
 
-  std::vector<Point> all() const;  // each configuration once, the base first
+  std::vector<Point> all() const;  // each once, by configuration and by what less is drawn; the base first
 };
 
 // `config` is the base. Throws InputError when the scene does not fit it.

@@ -18,7 +18,7 @@ Explorer::Explorer(const View& view, const MeasurementStore& store, const FrameM
     : view_(view), store_(store), silicon_(silicon) {}
 
 std::string Explorer::name(const Config& config, const Less& less) {
-  return fmt::format("{} {} {}", config_difference(config), less.scale, less.without);
+  return fmt::format("{} {} {} {} {}", config_difference(config), less.scale, less.without, less.rest, less.lod);
 }
 
 void Explorer::operator()(const char* stage, std::vector<Point>& points) {

@@ -16,6 +16,10 @@ Knob entry(const std::string& name, const std::string& what, const std::vector<i
   return knob;
 }
 
+KnobValue below(int pixels) {
+  return {.label = fmt::format("{} px", pixels), .settings = {"lod=1"}, .less = {.lod = 1.0 * pixels}};
+}
+
 std::vector<Knob> table() {
   return {
       // The power of a pixel.
@@ -75,6 +79,17 @@ std::vector<Knob> table() {
                   {"254 bit", {"pos_w=20", "quat_w=16", "scale_m_w=12", "opacity_f=12", "base_w=12", "sh_m_w=11"}},
                   {"302 bit", {"pos_w=24", "quat_w=18", "scale_m_w=16", "opacity_f=16", "base_w=16", "sh_m_w=11"}}},
        .together = false},
+      {.name = "codes",
+       .what = "bytes of a Gaussian in memory: 96 hold its fields as they are, 48 hold codes of them",
+       .values = {{"48", {"record=48"}}, {"96", {"record=96"}}},
+       .together = false},
+      // The Gaussians themselves.
+      {.name = "proxies",
+       .what =
+           "merged Gaussians stand for those of a group where these differ by less than so many pixels (which needs "
+           "order = 2)",
+       .values = {below(4), below(2), below(1), {"none", {"lod=0"}}},
+       .together = false},
       entry("sh_degree", "highest SH degree of the colours", {0, 1, 2, 3}),
       entry("tile_test", "regions of a footprint: all of its box, or those that hold a pixel that counts", {0, 1}),
   };
@@ -83,7 +98,7 @@ std::vector<Knob> table() {
 }  // namespace
 
 std::vector<std::string> layers_of_grid(int grid) {
-  return {"order=0", "tight_boxes=0", "occlusion=0", fmt::format("grid={}", grid)};
+  return {"order=0", "tight_boxes=0", "occlusion=0", "lod=0", fmt::format("grid={}", grid)};
 }
 
 const std::vector<Knob>& accuracy_knobs() {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // knobs.hpp: what can be turned of a drawn view: entries of the configuration, pixels and Gaussians that are left out.
 //
-// Idea    A knob is one entry of config.def, or a few that go together, and a list of settings from coarse to fine. A
-//         value is put on top of a base configuration; what it does not name stays as it is there.
+// Idea    A knob is one entry of config.def, or a few that go together, and a list of settings from coarse to fine; a
+//         value may also say what less is drawn (less.hpp). It is put on top of a base configuration; what it does not
+//         name stays as it is there.
 // Docs    docs/numerics/accuracy.md
 #pragma once
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// less.hpp: a view with less of it drawn: the scene without the Gaussians that add least, and a picture of fewer pixels
-// (scaled_camera) brought back to full size.
+// less.hpp: a view with less of it drawn: the scene without the Gaussians that add least, a picture of fewer pixels
+// (scaled_camera) brought back to full size, pixels that stop early (SimulateOptions::rest), proxies (lod_pixels).
 //
 // Idea    A Gaussian's contribution is the largest weight alpha T that it has at any pixel of any camera, as RadSplat
 //         (arXiv 2403.13806) prunes by. What no camera sees has none and goes first.
@@ -23,6 +23,8 @@ namespace pipegs {
 struct Less {
   double scale = 1;    // of the picture's sides
   double without = 0;  // share of the Gaussians that is left out
+  double rest = 0;     // transmittance at which a pixel stops
+  double lod = 0;      // pixels: proxies that differ by less stand for groups
   bool operator==(const Less&) const = default;
 };
 

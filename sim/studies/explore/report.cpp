@@ -17,9 +17,18 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// How the energy of a frame is written.
+struct EnergyUnit {
+  std::string key, name;
+  double of_joule;
+  int digits;
+};
+const EnergyUnit kMillijoules = {"mj", "mJ", 1e3, 2}, kMicrojoules = {"uj", "uJ", 1e6, 0};
+
 // How points stand in a table.
 struct Columns {
   Measured measured = Measured::kCycles;
+  const EnergyUnit* energy = &kMillijoules;
   double ghz = 0;  // of the microseconds; 0: the clock of each machine, 1 GHz where it is not known
   double mm2 = 0;  // the wanted area; 0: none
 };
@@ -44,6 +53,21 @@ std::string difference(const Config& config, const Config& base) {
   return text.empty() ? "base" : text;
 }
 
+// The options that say what less is drawn, each after a blank: what a machine's frame is told.
+std::string frame_words(const Less& less) {
+  std::string words;
+  if (less.rest != 0) words += fmt::format(" --rest {:g}", less.rest);
+  if (less.lod != 0) words += fmt::format(" --lod-pixels {:g}", less.lod);
+  return words;
+}
+
+std::string difference(const Point& point, const Config& base) {
+  return difference(point.config, base) + frame_words(point.value.less);
+}
+
+// As every command takes it.
+std::string words_of(const Point& point) { return machine_words(point.config) + frame_words(point.value.less); }
+
 // One point in a line: its errors, what it costs, and how it differs from the base.
 std::string point_text(const Point& point, const Config& base) {
   const Figures& a = point.figures;
@@ -54,7 +78,7 @@ std::string point_text(const Point& point, const Config& base) {
     text += fmt::format(", {} mm2, {} mJ", interpolated_text(point.mm2(), point.silicon->extrapolated_area, 2),
                         interpolated_text(point.joules() * 1e3, point.silicon->extrapolated_energy, 2));
   }
-  return fmt::format("{}: {}", text, difference(point.config, base));
+  return fmt::format("{}: {}", text, difference(point, base));
 }
 
 // What is not known is empty.
@@ -93,12 +117,12 @@ std::vector<TableCell> cells_of(const PointRow& row, const Point& base, const Co
           known(errors ? f.gbps() : none),
           known(f.buffer_kb()),
           known(point.mm2(), cost.extrapolated_area),
-          known(point.joules() * 1e3, cost.extrapolated_energy),
+          known(point.joules() * columns.energy->of_joule, cost.extrapolated_energy),
           known(areas ? fps_per_mm2(point) : none),
           known(areas ? frames_per_joule(point) : none, cost.extrapolated_energy),
           text_cell(areas && point.mm2() <= columns.mm2 ? "yes" : ""),
           known(point.front > 0 ? point.front : none),
-          {.text = difference(point.config, base.config), .copy = machine_words(point.config)}};
+          {.text = difference(point, base.config), .copy = words_of(point)}};
 }
 
 Table points_table(const std::string& title, const std::vector<PointRow>& rows, const Point& base,
@@ -122,7 +146,7 @@ Table points_table(const std::string& title, const std::vector<PointRow>& rows, 
                   {.key = "gbps", .unit = "GB/s", .digits = 1},
                   {.key = "buffers_kb", .heading = "buffers", .unit = "KB", .digits = 1},
                   {.key = "mm2", .unit = "mm2", .digits = 3},
-                  {.key = "mj", .unit = "mJ", .digits = 2},
+                  {.key = columns.energy->key, .unit = columns.energy->name, .digits = columns.energy->digits},
                   {.key = "fps_per_mm2", .unit = "frames/s/mm2", .digits = 1},
                   {.key = "frames_per_joule", .unit = "frames/J"},
                   {.key = "within", .heading = "fits"},
@@ -143,11 +167,12 @@ std::vector<PointRow> rows_of(const std::vector<Point>& points) {
 }
 
 // How to read a table of points.
-Table legend(const Point& base, std::vector<std::string> notes) {
+Table legend(const Point& base, std::vector<std::string> notes, const EnergyUnit& energy = kMillijoules) {
   if (base.silicon)
-    notes.emplace_back(
-        "mm2, mJ: 28 nm, mid, with SRAMs and DRAM, interpolated (docs/numerics/accuracy.md); energy is not validated; "
-        "~: beyond what was synthesised or measured");
+    notes.push_back(fmt::format(
+        "mm2, {}: 28 nm, mid, with SRAMs and DRAM, interpolated (docs/numerics/accuracy.md); energy is not validated; "
+        "~: beyond what was synthesised or measured",
+        energy.name));
   else notes.emplace_back("no machine of the kind was synthesised: its area and energy are not known");
   return {.notes = notes};
 }
@@ -178,7 +203,7 @@ void scatter(Chart& chart, const std::vector<Point>& points, const std::vector<c
     series.x.push_back(x(point));
     series.values.push_back(y(point));
     series.labels.push_back(label);
-    series.copies.push_back(machine_words(point.config));
+    series.copies.push_back(words_of(point));
   };
   for (const Point& point : points) {
     const std::string name = marks.name(point);
@@ -194,7 +219,7 @@ void scatter(Chart& chart, const std::vector<Point>& points, const std::vector<c
 
 // Marks that are named by how they differ from the base.
 Marks by_difference(const Config& base) {
-  const auto label = [base](const Point& point) { return difference(point.config, base); };
+  const auto label = [base](const Point& point) { return difference(point, base); };
   return {.series = {"one knob", kTogether, kBase}, .name = series_of, .label = label, .front_label = label};
 }
 
@@ -235,27 +260,31 @@ std::vector<Chart> accuracy_charts(const AccuracySweep& sweep, const std::vector
   return charts;
 }
 
+// null of a machine whose area is not known.
+Json silicon_json(const Point& point) {
+  if (!point.silicon) return nullptr;
+  const FrameCost& silicon = *point.silicon;
+  Json json = {{"mm2", to_json(silicon.mm2)},
+               {"chip_mj", to_json(silicon.chip * 1e3)},
+               {"dram_mj", to_json(silicon.dram * 1e3)},
+               {"extrapolated_area", silicon.extrapolated_area},
+               {"extrapolated_energy", silicon.extrapolated_energy},
+               {"path_ps", nullptr},
+               {"ghz", nullptr},
+               {"us", nullptr}};
+  if (point.clock_known()) {
+    json.update({{"path_ps", to_json(kFo4Ps * *silicon.path_fo4)},
+                 {"ghz", *silicon.ghz()},
+                 {"us", silicon.us},
+                 {"extrapolated_path", silicon.extrapolated_path}});
+  }
+  return json;
+}
+
 Json accuracy_row(const Point& point) {
   Json json = to_json(point.figures, Measured::kErrors);
-  if (const std::optional<FrameCost>& silicon = point.silicon) {
-    json["silicon"] = {{"mm2", to_json(silicon->mm2)},
-                       {"chip_mj", to_json(silicon->chip * 1e3)},
-                       {"dram_mj", to_json(silicon->dram * 1e3)},
-                       {"extrapolated_area", silicon->extrapolated_area},
-                       {"extrapolated_energy", silicon->extrapolated_energy},
-                       {"path_ps", nullptr},
-                       {"ghz", nullptr},
-                       {"us", nullptr}};
-    if (point.clock_known()) {
-      json["silicon"].update({{"path_ps", to_json(kFo4Ps * *silicon->path_fo4)},
-                              {"ghz", *silicon->ghz()},
-                              {"us", silicon->us},
-                              {"extrapolated_path", silicon->extrapolated_path}});
-    }
-  } else if (point.figures.failure.empty()) {
-    json["silicon"] = nullptr;
-  }
-  json["configuration"] = config_difference(point.config);
+  if (point.figures.failure.empty()) json["silicon"] = silicon_json(point);
+  json.update({{"configuration", config_difference(point.config)}, {"lod_pixels", point.value.less.lod}});
   return json;
 }
 
@@ -273,7 +302,7 @@ Json accuracy_json(const AccuracySweep& sweep, const std::vector<Point>& all) {
   for (const Cost& cost : costs()) {
     json["front"][cost.name] = Json::array();
     for (const Point* point : accuracy_front(all, cost))
-      json["front"][cost.name].push_back(config_difference(point->config));
+      json["front"][cost.name].push_back(config_difference(point->config) + frame_words(point->value.less));
   }
   json["skipped"] = sweep.skipped;
   return json;
@@ -290,11 +319,14 @@ Json tradeoff_row(const Point& point, const View& view, double ghz) {
           {"width", camera.width},
           {"height", camera.height},
           {"gaussians", view.gaussians(less)},
+          {"rest", less.rest},
+          {"lod_pixels", less.lod},
           {"cycles", point.figures.cycles},
           {"us", us_of(point, ghz)},
           {"bytes", point.figures.bytes},
           {"psnr_db", finite_json(point.figures.total.psnr)},
           {"ssim", finite_json(point.figures.total.ssim)},
+          {"silicon", silicon_json(point)},
           {"front", place_json(point)}};
 }
 
@@ -330,7 +362,7 @@ std::string best_shape_text(const Point* best, const Point& base, double mm2) {
 Table target_table(const std::vector<Point>& points, double target) {
   if (const Point* point = cheapest(points, target))
     return {.notes = {fmt::format("target {:g} dB numeric: {}", target, point_text(*point, points.front().config)),
-                      "use it with " + machine_words(point->config)}};
+                      "use it with " + words_of(*point)}};
   const std::vector<const Point*> front = accuracy_front(points, costs().front());
   return {.notes = {fmt::format("target {:g} dB numeric: not reached; the most accurate point has {} dB", target,
                                 front.empty() ? "no" : decibels(front.back()->figures.numeric.psnr))}};
@@ -368,10 +400,12 @@ Answer tradeoff_answer(std::vector<Point> points, const View& view, double ghz) 
   Answer answer{
       .json = {{"ghz", ghz}, {"points", Json::array()}, {"price", Json::array()}}, .tables = {}, .charts = {}};
   for (const Point& point : points) answer.json["points"].push_back(tradeoff_row(point, view, ghz));
-  Table read = legend(points.front(), {fmt::format("us: of a frame at {:g} GHz; total, SSIM: the picture at full size "
-                                                   "against the float64 truth; front: the places of those that no "
-                                                   "other one beats in both us and dB",
-                                                   ghz)});
+  Table read =
+      legend(points.front(),
+             {fmt::format("us: of a frame at {:g} GHz; total, SSIM: the picture at full size against the "
+                          "float64 truth; front: the places of those that no other one beats in both us and dB",
+                          ghz)},
+             kMicrojoules);
   for (const PricedStep& step : price(front)) {
     const double from = step.from->figures.total.psnr, to = step.to->figures.total.psnr, us = step.cycles / 1000 / ghz,
                  us_per_db = step.cycles_per_db / 1000 / ghz;
@@ -384,7 +418,8 @@ Answer tradeoff_answer(std::vector<Point> points, const View& view, double ghz) 
                                     {"us", us},
                                     {"us_per_db", us_per_db}});
   }
-  answer.tables = {points_table("", rows_of(points), points.front(), {.measured = Measured::kPicture, .ghz = ghz}),
+  answer.tables = {points_table("", rows_of(points), points.front(),
+                                {.measured = Measured::kPicture, .energy = &kMicrojoules, .ghz = ghz}),
                    read};
   Chart chart{.name = "quality_by_time",
               .title = "Accuracy against time",

@@ -57,6 +57,8 @@ Point joined(const std::vector<const Point*>& points, const Config& base) {
     value.label += fmt::format("{}{} {}", value.label.empty() ? "" : ", ", point->knob, one.label);
     value.less.scale *= one.less.scale;
     value.less.without = std::max(value.less.without, one.less.without);
+    value.less.rest = std::max(value.less.rest, one.less.rest);
+    value.less.lod = std::max(value.less.lod, one.less.lod);
     value.settings.insert(value.settings.end(), one.settings.begin(), one.settings.end());
   }
   return {.knob = kTogether, .value = value, .config = with_value(base, value)};
@@ -76,10 +78,14 @@ std::vector<Point> less_alone(const Config& base, const Scene& scene) {
     add("contribution", {.label = fmt::format("-{} %", percent), .less = {.without = percent / 100.0}});
   for (int degree = std::min(scene.sh_degree, base.sh_degree) - 1; degree >= 0; --degree)
     add("SH degree", {.label = std::to_string(degree), .settings = {fmt::format("sh_degree={}", degree)}});
-  for (const int cut : {100000, 1000, 100}) {
-    if (cut != base.t_cut)
-      add("T cut", {.label = fmt::format("1/{}", cut), .settings = {fmt::format("t_cut={}", cut)}});
+  for (const int rest : {100000, 1000, 100, 20, 10}) {
+    if (base.early_stop) add("rest", {.label = fmt::format("1/{}", rest), .less = {.rest = 1.0 / rest}});
   }
+  if (base.order == 2 && base.bucket_bits >= Config::error_bits()) {
+    for (const double pixels : {0.5, 1.0, 2.0, 4.0})
+      add("proxies", {.label = fmt::format("below {} pixels", pixels), .settings = {"lod=1"}, .less = {.lod = pixels}});
+  }
+  if (!base.coded()) add("record", {.label = "48 bytes", .settings = {"record=48"}});
   for (const int cut : {512, 128, 64}) {
     if (cut != base.alpha_cut)
       add("alpha cut", {.label = fmt::format("1/{}", cut), .settings = {fmt::format("alpha_cut={}", cut)}});

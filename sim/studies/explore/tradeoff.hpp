@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // tradeoff.hpp: what accuracy costs in time: one view with less of everything, against the truth.
 //
-// Idea    A knob is a thing to do without (pixels, Gaussians, SH degrees, late contributions, faint ones, the order), a
-//         value how much of it. Each is measured alone. Squared errors of different knobs add and their shares of the
-//         time multiply (nearly): so points that were measured alone predict every combination. Of those that no other
-//         is predicted to beat, a few, evenly spaced in decibels, are measured.
+// Idea    A knob is a thing to do without (pixels, Gaussians, SH degrees, what shines through, what is faint, half of a
+//         record, the order), a value how much of it. Each is measured alone. Squared errors of different knobs add and
+//         their shares of the time multiply (nearly): so points that were measured alone predict every combination. Of
+//         those that no other is predicted to beat, a few, evenly spaced in decibels, are measured.
 // Rule    Accuracy is Figures::total. The most accurate point is the front's first.
 // Docs    docs/numerics/time.md
 #pragma once

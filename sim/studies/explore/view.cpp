@@ -54,6 +54,8 @@ std::string View::shared(const Config& config, const Less& less) const {
 nlohmann::ordered_json View::key(const Less& less) const {
   using Json = nlohmann::ordered_json;
   Json key = {{"measured", static_cast<int>(measured_)}, {"scale", less.scale}, {"without", less.without}};
+  if (less.rest != 0) key["rest"] = less.rest;
+  if (less.lod != 0) key["lod_pixels"] = less.lod;
   if (less.without == 0) return key;
   std::string poses;
   for (const Camera& c : cameras_) {
@@ -118,6 +120,8 @@ void View::measure_picture(const Config& config, const Less& less, Figures& resu
   const Image& exact = this->exact();
   SimulateOptions asked = options_;
   asked.config = config;
+  asked.rest = less.rest;
+  asked.lod_pixels = less.lod;
   asked.found = [&](const Findings& findings) {  // an empty frame is kept with the figures: who asks tells of which
     for (const Finding& finding : findings) {
       if (finding.kind->key == "empty_frame") result.empty = finding.what;
@@ -131,7 +135,10 @@ void View::measure_picture(const Config& config, const Less& less, Figures& resu
   Image golden = crop_window(simulation.golden.image, asked);
   if (golden.width != exact.width || golden.height != exact.height)
     golden = resampled(golden, exact.width, exact.height);
-  if (measured_ == Measured::kErrors) {
+  if (measured_ == Measured::kErrors && less.lod > 0) {
+    result.numeric = errors(golden, exact);
+    result.order = errors(exact, exact);
+  } else if (measured_ == Measured::kErrors) {
     const auto order = ordered(simulation.golden.rank);
     result.numeric = errors(golden, order->truth);
     result.order = order->error;

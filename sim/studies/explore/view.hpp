@@ -7,7 +7,8 @@
 //           order    the truth in that order against the truth in depth order: what layers and depth keys cost
 //           total    golden model, brought to full size, against the truth of the whole scene in depth order
 //         Cycles and bytes come from the timing model, buffers from static_cost.
-// Rule    numeric and order are measured of whole scenes at full size only.
+// Rule    numeric and order are measured of whole scenes at full size only. Gaussians that proxies stand for have no
+//         place in an order: where proxies may be drawn, numeric is the total, and order costs nothing.
 // Reuse   Truths in an order, the scene without some of its Gaussians and the trace of the timing model are held for a
 //         while: configurations that share() them are measured together.
 // Threads measure() computes on the calling thread and may be called from several.

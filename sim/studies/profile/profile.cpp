@@ -71,7 +71,7 @@ ViewProfile view_profile(const Simulation& simulation, const SimulateOptions& op
     for (const GoldenLayer& layer : window.layers) {
       for (const GoldenSplat& splat : layer.splats) {
         const int count = tiles_of(config, frame, window.x, window.y, splat.splat);
-        tiles[splat.splat.index] += static_cast<uint32_t>(count);
+        tiles[simulation.packed.scene_index(splat.splat.index)] += static_cast<uint32_t>(count);
         profile.window_pairs += count > 0;
       }
     }

@@ -27,6 +27,7 @@ Nearest::Nearest(const TimingTrace& trace, const Config& config)
       mark_shift_(config.depth_w - config.step_w()),
       load_(trace.config, trace.frame.walk_most),
       load_cycles_((1 << trace.config.load_w()) / kLoadWord + 4),
+      test_cycles_(trace.config.lod ? 14 : 13),
       queue_(std::make_unique<NearestQueue>(config.nearest_nodes)),
       none_((1 << trace.config.bucket_w()) - 1),
       open_{Open(trace.frame.tables.groups, none_), Open(trace.frame.tables.chunks, none_)} {}
@@ -189,7 +190,7 @@ void Nearest::enter(DopuCycle& cycle, const DopuSets& sets, const Said& is) {
     entered = true;  // lower levels wait
     cycle.at(now + 1);
     cycle.changed = true;
-    in_test_.push(now, {now + kTestCycles, static_cast<uint8_t>(level), static_cast<uint8_t>(set_[l]),
+    in_test_.push(now, {now + test_cycles_, static_cast<uint8_t>(level), static_cast<uint8_t>(set_[l]),
                         child(level, node, last, sets)});
     return true;
   };
@@ -220,10 +221,10 @@ void Nearest::enter(DopuCycle& cycle, const DopuSets& sets, const Said& is) {
   if (!in_test_.empty() && in_test_.front().due <= now) {
     InTest& in = in_test_.front();
     const DopuSet& set = sets[in.set];
-    in.result.pass = in.result.pass && passes(in.result.sides, set, in.due - kTestCycles);
+    in.result.pass = in.result.pass && passes(in.result.sides, set, in.due - test_cycles_);
     if (in.level == 1 && in.result.pass && set.judges) {
       const TimingParent& group = trace_.walks[set.walk].groups_ranked[in.result.node.number];
-      load_.add(group.bucket, group.far, trace_.groups[group.node].count);
+      load_.add(group.bucket, group.far, group.opened.count);
       many_groups_ = load_.many_groups();
     }
     if (in.result.pass || in.result.last) {
@@ -259,8 +260,7 @@ void Nearest::open(DopuCycle& cycle, const DopuSets& sets, const Said& is) {
       const NearestNode node = popped ? queue_->node() : held_[static_cast<size_t>(l)].front().node;
       const TimingWalk& walk = trace_.walks[sets[static_cast<size_t>(set)].walk];
       const TimingParent& parent = l == 0 ? walk.cells_ranked[node.number] : walk.groups_ranked[node.number];
-      const TimingNode& range = (l == 0 ? trace_.cells : trace_.groups)[parent.node];
-      open.job = {true, range.first, range.count, {parent.first}};
+      open.job = {true, parent.opened.first, parent.opened.count, {parent.first}};
       open.job_valid = true;
       open.buckets.push(now, node.bucket);
     }

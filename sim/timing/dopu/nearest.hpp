@@ -32,8 +32,7 @@ class Nearest {
  private:
   static constexpr int kLevels = 3;
   static constexpr int kResults = Config::nearest_results(), kMost = Config::nearest_open();
-  static constexpr Cycle kTestCycles = 13;  // of dopu_rank
-  static constexpr int kLoadWord = 4;       // buckets that dopu_load reads in a cycle
+  static constexpr int kLoadWord = 4;  // buckets that dopu_load reads in a cycle
 
   struct Parent {
     uint32_t first_pass = 0;  // of its children
@@ -84,6 +83,7 @@ class Nearest {
   std::array<std::array<bool, 2>, kLevels> complete_{};
   bool cells_in_ = false;
   std::array<int, kLevels> reserved_{};
+  const Cycle test_cycles_;  // of dopu_rank; with proxies a group's range is chosen a cycle later
   FallQueue<InTest, 16> in_test_;
   std::array<FallQueue<Result, kResults>, kLevels> held_;
   std::unique_ptr<NearestQueue> queue_;

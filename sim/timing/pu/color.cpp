@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "cpp_model/pu/color/pu_color_fetch.hpp"
 #include "sim/timing/machine.hpp"
 
 namespace pipegs::timing {
@@ -27,7 +28,9 @@ void Color::push(Machine& m, Cycle now, const Splat& splat) {
   tasks_.push(now, {splat, shaded, now});
   if (shaded) {
     const uint32_t slot = m.trace.slot[m.config.parts() > 1 ? m.trace.survivor[splat.beat] : splat.beat];
-    m.memory.ask(port_, m.frame.tables.colors + (m.frame.tables.sh_degree == 1 ? slot >> 2 : slot));
+    const int place = color_place(m.config, static_cast<int>(m.frame.tables.sh_degree), slot);
+    m.memory.ask(port_, color_line(m.config, m.frame, slot), false, 1,
+                 m.config.coded() ? 1 << (place >= m.config.memory_w() / 2) : 3);
     free_from_ = kNever;
   }
   m.wheel.wake(self_, tasks_from());

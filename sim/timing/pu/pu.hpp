@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "cpp_model/config.hpp"
 #include "sim/timing/pu/color.hpp"
@@ -97,8 +98,8 @@ class Pu {
   bool chunk_room_ = true;  // in the next cycle
 
   // pu_cull
-  std::array<Beat, 8> pipe_;
-  std::array<uint32_t, 8> pipe_walk_{};
+  std::vector<Beat> pipe_;  // pu_decode, if coded, and pu_cull
+  std::vector<uint32_t> pipe_walk_;
   unsigned pipe_at_ = 0;
   int pipe_count_ = 0;
   Output<Beat> survivor_;  // only with TightCull, to pu_reach

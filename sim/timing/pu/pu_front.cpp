@@ -26,7 +26,9 @@ Pu::Pu(const Machine& m, int lane)
       alpha_addresses_(m.config.alpha_addresses()),
       rows_(m.config.pixels_per_row),
       pieces_(m.config.alpha_memory_lines()) {
-  pipe_.fill(kBubble);
+  constexpr size_t kDecode = 4, kCull = 8;  // stages
+  pipe_.assign(m.config.coded() ? kDecode + kCull : kCull, kBubble);
+  pipe_walk_.resize(pipe_.size());
 }
 
 // --- pu_fetch --------------------------------------------------------------------------------------------------------
@@ -96,7 +98,7 @@ void Pu::cull(Machine& m, Cycle now) {
   pipe_[pipe_at_] = entering;
   if (item) pipe_walk_[pipe_at_] = reader_walk;
   // The rectangle goes into the register behind stage 4.
-  if (const unsigned place = (pipe_at_ + 3) % 8; m.config.occlusion && beside(m, now, place)) {
+  if (const unsigned place = (pipe_at_ + 3) % pipe_.size(); m.config.occlusion && beside(m, now, place)) {
     pipe_[place] = kBubble;
     --pipe_count_;
   }

@@ -337,7 +337,7 @@ void Ru::write(Machine& m, size_t window, int region, uint64_t line) {
     const uint64_t x = window_x * side + 8 * static_cast<uint64_t>(region_x(m.config, region)),
                    y = window_y * side + 8 * static_cast<uint64_t>(region_y(m.config, region)) + line;
     const bool wide = joined(m) && (x | 8) < m.frame.raster.width;
-    return m.memory.ask(port_, ru_raster_line(m.trace.picture, x, y), true, 1, wide ? 2 : 1);
+    return m.memory.ask(port_, ru_raster_line(m.trace.picture, x, y), true, 1, wide ? 3 : 1 << ru_raster_half(x));
   }
   const uint64_t number = window_y * columns + window_x;
   const uint64_t place = number * static_cast<uint64_t>(m.config.regions()) + static_cast<uint64_t>(region);

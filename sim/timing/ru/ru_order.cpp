@@ -53,7 +53,7 @@ void Merge::step(Machine& m, Cycle now) {
     }
     su.taken(m, now);
   }
-  m.wheel.wake(unit(kOrder), now + 1);
+  m.wheel.wake(out.valid ? unit(kOrder) : unit(kOrder, 1), now + 1);  // behind a mark the next splats may be there
 }
 
 }  // namespace pipegs::timing

@@ -28,7 +28,8 @@ Su::Su(const Machine& m, int lane)
 }
 
 void Su::step(Machine& m, Cycle now) {
-  moved_ = out_taken_at_ == now;
+  moved_ = skid_.last_pop() == now;
+  leave(m, now);
   ready_ = in_.room(now), ready_at_ = now;
   if (sorting_ && now > sort_last_) {
     sorting_ = false;
@@ -48,7 +49,7 @@ void Su::step(Machine& m, Cycle now) {
     external(now, is);
     spill(m, is);
   }
-  show_outside(m, now, is);
+  show_outside(m, now);
   collect(m, now, is);
   arrive(m, now);
   if (line_used_) --flight_, line_used_ = false, moved_ = true;
@@ -67,10 +68,19 @@ void Su::step(Machine& m, Cycle now) {
 }
 
 void Su::taken(Machine& m, Cycle now) {
+  skid_.pop(now);
+  m.wheel.wake_now(unit(kSu, lane_));
+}
+
+// From the output into the skid, before the output takes the next one in the same cycle.
+void Su::leave(Machine& m, Cycle now) {
+  if (!out_.shown(now) || diverts() || returns() || !skid_.room(now)) return;
   if (out_outside_) answers_.pop(now), owners_.pop_front(), line_used_ = true;
+  skid_.push(now, out_.value);
   out_.valid = false;
   out_taken_at_ = now;
-  m.wheel.wake_now(unit(kSu, lane_));
+  moved_ = true;
+  m.wheel.wake(unit(kOrder, 1), skid_.head_from());
 }
 
 // --- what every part says --------------------------------------------------------------------------------------------

@@ -61,8 +61,8 @@ class Su {
   void step(Machine& m, Cycle now);
 
   // For su_merge.
-  bool shown(Cycle now) const { return out_.shown(now) && !diverts() && !returns(); }
-  const Sorted& head() const { return out_.value; }
+  bool shown(Cycle now) const { return skid_.valid(now); }
+  const Sorted& head() const { return skid_.front(); }
   void taken(Machine& m, Cycle now);
 
   bool ready(Cycle now) const { return ready_at_ == now ? ready_ : in_.room(now); }  // for a record from the lists
@@ -186,9 +186,10 @@ class Su {
   void ask_ways(Cycle now, bool line, bool setup);
   bool rise(const Now& is);
   void keep_keys(const Now& is, bool merges);
-  void show_outside(Machine& m, Cycle now, const Now& is);
+  void show_outside(Machine& m, Cycle now);
   void collect(Machine& m, Cycle now, const Now& is);
   void arrive(Machine& m, Cycle now);
+  void leave(Machine& m, Cycle now);
 
   const int lane_, port_, records_;
   const Config config_;
@@ -249,6 +250,7 @@ class Su {
   // su_emit
   SramQueue<Entry, Config::su_waiting()> waiting_;
   Output<Sorted> out_;
+  FallQueue<Sorted, 2> skid_;                  // behind it
   bool out_outside_ = false, looked_ = false;  // looked_: the record's number was read
   bool ask_ = false;                           // for a record in memory
   uint32_t ask_line_ = 0;

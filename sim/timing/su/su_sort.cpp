@@ -60,10 +60,10 @@ void Su::emit(Cycle now, const Now& is) {
 }
 
 // A record from memory stands at the output when its line is the first of those that were read.
-void Su::show_outside(Machine& m, Cycle now, const Now& is) {
+void Su::show_outside(Machine& m, Cycle now) {
   if (out_.valid && out_.from == kNever && !answers_.empty() && owners_.front() == kRecordLine)
     out_.from = std::max(now + 1, answers_.head_from());
-  if (out_.valid && out_.from > now) m.wheel.wake(is.diverts ? unit(kSu, lane_) : unit(kOrder, 1), out_.from);
+  if (out_.valid && out_.from > now) m.wheel.wake(unit(kSu, lane_), out_.from);
 }
 
 // --- su_split, su_bitonic --------------------------------------------------------------------------------------------

@@ -26,11 +26,12 @@ struct Part {
   std::vector<uint16_t> part, quads;
 };
 
+TimingNode range(const Node& node) { return {static_cast<uint32_t>(node.first), static_cast<uint32_t>(node.count)}; }
+
 std::vector<TimingNode> nodes(const std::vector<Node>& from) {
   std::vector<TimingNode> result;
   result.reserve(from.size());
-  for (const Node& node : from)
-    result.push_back({static_cast<uint32_t>(node.first), static_cast<uint32_t>(node.count)});
+  for (const Node& node : from) result.push_back(range(node));
   return result;
 }
 
@@ -132,16 +133,18 @@ class WindowTrace {
       if (cell_sides == 0) continue;
       const int cell_bucket = bucket(cell, 0);
       walk().cells_ranked.push_back({static_cast<uint32_t>(number), static_cast<uint32_t>(walk().groups_ranked.size()),
-                                     static_cast<uint16_t>(cell_bucket), cell_sides});
+                                     static_cast<uint16_t>(cell_bucket), cell_sides, 0, range(cell)});
       for (uint64_t g = cell.first; g < cell.first + cell.count; ++g) {
         const Node& group = packed_.groups[g];
         const TimingSides group_sides = sides(group, cell_bucket);
         if (group_sides == 0) continue;
         const int group_bucket = bucket(group, cell_bucket);
         const int far = dopu_depth_far(config_, frame_, planes_[0], group, cell_bucket);
+        const Node opened = dopu_lod(config_, frame_, group, group_bucket);
         walk().groups_ranked.push_back({static_cast<uint32_t>(g), static_cast<uint32_t>(part_.chunks.size()),
-                                        static_cast<uint16_t>(group_bucket), group_sides, static_cast<uint16_t>(far)});
-        if (!walk().given_up) chunks(group, group_bucket);
+                                        static_cast<uint16_t>(group_bucket), group_sides, static_cast<uint16_t>(far),
+                                        range(opened)});
+        if (!walk().given_up) chunks(opened, group_bucket);
       }
     }
   }

@@ -49,7 +49,8 @@ struct TimingParent {
   uint32_t first = 0;  // the first of its children that pass: of TimingWalk::groups_ranked, or of chunks_sent
   uint16_t bucket = 0;
   TimingSides sides = kWholePasses;
-  uint16_t far = 0;  // of a group: bucket of its farthest corner, for dopu_load
+  uint16_t far = 0;   // of a group: bucket of its farthest corner, for dopu_load
+  TimingNode opened;  // the children that are read
 };
 
 // A walk of the DOPU, or with lists that of the frame. A window that goes by parts has one more before them, which is

@@ -59,7 +59,7 @@ void trace_quads(const PuRows& rows, const TraceSplat& splat, std::vector<uint16
 TimingWindow trace_window(const GoldenInput& input, const PuRows& rows, uint64_t x, uint64_t y,
                           std::vector<std::vector<TraceSplat>>& layers) {
   const Config& config = input.packed->config;
-  const BlendConstants constants(config);
+  const BlendConstants constants(config, input.frame.raster.rest);
   const uint32_t black[3] = {0, 0, 0};
   TimingWindow window;
   std::vector<RegionState> regions;

@@ -35,11 +35,10 @@ assign takes      = asks && ready_o[watched];
 always_comb begin
   writes   = 1'b0;
   line_bit = 1'b0;
-  halves   = '1;
+  halves   = halves_i[watched*ProofHalvesW +: ProofHalvesW];
   for (int unsigned i = 0; i < WritePorts; i += 1) begin
     if (watched == PortW'(i)) begin
       writes   = write_i[i];
-      halves   = halves_i[i*ProofHalvesW +: ProofHalvesW];
       line_bit = data_i[i*pipegs_pkg::MemoryW + 32'(place)];
     end
   end

@@ -19,8 +19,9 @@ proof_reset u_proof_reset (.clk_i, .rst_ni);
 proof_hold #(.DataW(pipegs_pkg::AddressW + BurstW)) u_hold_mem (
   .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i({mem_address_o, mem_lines_o})
 );
-proof_hold #(.DataW(1 + IndexW + TagW)) u_hold_out (
-  .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i), .beat_i({out_read_o, out_index_o, out_tag_o})
+proof_hold #(.DataW(2 + IndexW + TagW)) u_hold_out (
+  .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i),
+  .beat_i({out_read_o, out_index_o, out_last_o, out_tag_o})
 );
 proof_hold #(.DataW(ItemW)) u_hold_item (
   .clk_i, .rst_ni, .valid_i(out_valid_o && out_read_o), .ready_i(out_ready_i), .beat_i(out_item_o)
@@ -45,7 +46,7 @@ always_comb begin
     assert (lines_left_q == '0 || (line_q >= table_i.first && (MostW+1)'(line_q - table_i.first) +
             (MostW+1)'(lines_left_q) <= (MostW+1)'(table_i.lines)));
     assert (!rsp_valid_i || stored_q < CreditW'(Lines));
-    assert (!(take && job_read_i && !bad) || (lines != '0 && lines <= (CountW+1)'(job_count_i) + (CountW+1)'(HalfW)));
+    assert (!(take && job_read_i && !bad) || (lines != '0 && lines <= (CountW+1)'(job_count_i) + (CountW+1)'(Place)));
     assert (lines_left_q <= (CountW+1)'(1) << CountW);
     assert (!(out_valid_o && out_read_o) || item_q < job_count);
     assert (idle_o == !job_valid);

@@ -7,7 +7,7 @@
 //         room. An answer of this epoch that failed is told in the next cycle, each kind by itself, a write's with its
 //         line; writes_o and answered_o are the writes that are unanswered, and one that is answered.
 // Assumes A subordinate that keeps its rules; a base that is a multiple of 4096; reads of 1 to 8 lines in one aligned
-//         group. The core may withdraw a request.
+//         group, or of half a line if Coded. The core may withdraw a request.
 // Invariant  Reads that are accepted and not answered wait in the fence, on AR or with the subordinate.
 
 (* anyseq *) logic pick;
@@ -17,6 +17,7 @@
 (* hierconn *) logic [$clog2(Reads+1)-1:0] \u_read.out_q ;
 (* hierconn *) logic [3:0] \u_read.lines ;
 (* hierconn *) logic [LineW-1:0] \u_read.line ;
+(* hierconn *) logic [pipegs_pkg::HalvesW-1:0] \u_read.halves ;
 localparam int unsigned ProofReadsW  = $clog2(Reads + 1) + 1;
 localparam int unsigned ProofWritesW = $clog2(Writes + 1) + 1;
 localparam int unsigned IdW          = pipegs_pkg::AxiIdW;
@@ -67,6 +68,8 @@ always_comb begin
   assume (subordinate);
   assume (base_i[11:0] == '0);
   assume (!issue_valid || (\u_read.lines != '0 && 5'(\u_read.line [2:0]) + 5'(\u_read.lines ) <= 5'd8));
+  assume (!issue_valid || \u_read.halves == '1 ||
+          (pipegs_pkg::Coded && \u_read.halves != '0 && \u_read.lines == 4'd1));
   assert (manager);
   if (rst_ni) begin
     assert (pending_o || (reads == '0 && addresses == '0 && lines == '0 && !rsp_valid_o));

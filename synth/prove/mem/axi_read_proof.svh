@@ -7,8 +7,8 @@
 //         of it comes in the cycle in which it begins. What is waited for is a read on AR or one that is out, and the
 //         line that is told is that of the read that AR shows, else of one taken there, whose ID is not answered since.
 // Assumes A subordinate that keeps its rules; a base that is a multiple of 4096 and stays; reads of 1 to 8 lines in one
-//         aligned group; one is accepted only when there is room, and shown at the input once, now or later; the epoch
-//         turns only when no read of the one that begins is out.
+//         aligned group, or of half a line if Coded; one is accepted only when there is room, and shown at the input
+//         once, now or later; the epoch turns only when no read of the one that begins is out.
 // Invariant  A read of an epoch is behind its fence, on AR, or with the subordinate.
 
 localparam int unsigned ProofW = $clog2(Reads + 1) + 1;
@@ -21,6 +21,8 @@ logic [ProofW-1:0]       behind_0_q, behind_1_q, out_0, out_1, sum_0, sum_1;  //
 logic [AddrW-1:0]        expected_q;
 logic [IdW-1:0]          expected_id_q;
 logic [3:0]              expected_lines_q;
+logic [pipegs_pkg::HalvesW-1:0] expected_halves_q;
+logic [7:0]              expected_len;
 logic [LineW-1:0]        expected_line_q, owed_expected_q;
 
 pipegs_pkg::axi_manager_t     bus;  // the channels here, and others on which nothing moves
@@ -48,12 +50,14 @@ always_ff @(posedge clk_i or negedge rst_ni) begin
   end
 end
 always_ff @(posedge clk_i) if (takes) begin
-  expected_q       <= base_i + (AddrW'(line) << LineB);
+  expected_q       <= base_i + (AddrW'(line) << LineB) + (halves == 2'b10 ? AddrW'(1) << (LineB - 1) : AddrW'(0));
   expected_id_q    <= id;
   expected_lines_q <= lines;
+  expected_halves_q <= halves;
   expected_line_q  <= line;
 end
 always_ff @(posedge clk_i) if (m_axi_o.ar_valid && m_axi_i.ar_ready && renews) owed_expected_q <= expected_line_q;
+assign expected_len = (expected_halves_q == '1 ? 8'(expected_lines_q) * 8'(Beats) : 8'(HalfBeats)) - 8'd1;
 always_comb begin
   out_0 = '0;
   out_1 = '0;
@@ -70,12 +74,13 @@ always_comb begin
   assume (base_i == base && base[11:0] == '0);
   assume (!accept_i || room_o);
   assume (!in_valid_i || (lines != '0 && 5'(line[2:0]) + 5'(lines) <= 5'd8));
+  assume (!in_valid_i || halves == '1 || (pipegs_pkg::Coded && halves != '0 && lines == 4'd1));
   assume (!in_valid_i || (id[IdW-1] ? behind_1_q : behind_0_q) + ProofW'(accept_i && id[IdW-1] == epoch_i) != '0);
   assume (!rst_ni || !turn || (epoch_i ? sum_1 : sum_0) == '0);
   assert (manager);
   if (rst_ni) begin
     assert (!m_axi_o.ar_valid || (m_axi_o.ar.addr == expected_q && m_axi_o.ar.id == expected_id_q &&
-                               m_axi_o.ar.len == 8'(expected_lines_q) * 8'(Beats) - 8'd1));
+                               m_axi_o.ar.len == expected_len));
     assert (!takes || !m_axi_o.ar_valid || m_axi_i.ar_ready);
     assert (!(turn && now));
     assert (drained_o == ((epoch_i ? sum_0 : sum_1) == '0));

@@ -3,7 +3,8 @@
 // proofs.
 //
 // Rule    Manager: nothing valid in reset; what is shown stays until taken; bursts of INCR in beats of the bus,
-//         aligned, of one to eight whole lines within 4 KB; writes of one line with ID 0, strobes of whole halves of
+//         aligned, of one to eight whole lines within 4 KB, or if Coded of half a line, in beats of half the bus where
+//         that is as wide as a line; writes of one line with ID 0, strobes of whole halves of
 //         it, WLAST at the last beat, data never before its address shows; at most Reads and Writes bursts unanswered.
 //         Subordinate: the same of valid and stay; R only with an ID that waits, RLAST exactly at the last beat of its
 //         burst, in order within an ID; B with ID 0 only after address and last beat of a write; no EXOKAY.
@@ -132,6 +133,7 @@ module axi_check #(
   assign beat_o      = beat_q;
 
   // --- rules of the manager ------------------------------------------------------------------------------------------
+  logic        ar_whole, ar_half;  // of the burst: lines, half a line
   logic        silent, ar_stays, aw_stays, w_stays, ar_legal, aw_legal, w_legal, w_behind, few;
   logic [8:0]  ar_beats;
   logic [13:0] ar_end, aw_end;  // of the burst, in bytes from the begin of its 4 KB
@@ -144,9 +146,11 @@ module axi_check #(
   assign ar_stays = !ar_waits_q || !rst_ni || (manager_i.read.ar_valid && ar == ar_q);
   assign aw_stays = !aw_waits_q || !rst_ni || (manager_i.write.aw_valid && aw == aw_q);
   assign w_stays  = !w_waits_q || !rst_ni || (manager_i.write.w_valid && w == w_q);
-  assign ar_legal = !manager_i.read.ar_valid ||
-      (ar.burst == 2'b01 && ar.size == Size && (12'(ar.addr[11:0]) & (12'(LineW / 8) - 12'd1)) == '0 &&
-       ar_end <= 14'd4096 && (ar_beats & (9'(Beats) - 9'd1)) == '0 && ar_beats <= 9'(8 * Beats));
+  assign ar_whole = ar.size == Size && (12'(ar.addr[11:0]) & (12'(LineW / 8) - 12'd1)) == '0 &&
+                    ar_end <= 14'd4096 && (ar_beats & (9'(Beats) - 9'd1)) == '0 && ar_beats <= 9'(8 * Beats);
+  assign ar_half  = pipegs_pkg::Coded && (12'(ar.addr[11:0]) & (12'(LineW / 16) - 12'd1)) == '0 &&
+                    ar.size == (Beats == 1 ? Size - 3'd1 : Size) && ar_beats == 9'(Beats == 1 ? 1 : Beats / 2);
+  assign ar_legal = !manager_i.read.ar_valid || (ar.burst == 2'b01 && (ar_whole || ar_half));
   assign aw_legal = !manager_i.write.aw_valid ||
       (aw.burst == 2'b01 && aw.size == Size && (12'(aw.addr[11:0]) & (12'(LineW / 8) - 12'd1)) == '0 &&
        aw_end <= 14'd4096 && aw.len == 8'(Beats - 1) && aw.id == '0);

@@ -36,6 +36,7 @@ module pipegs_line_reader #(
   input  logic                              out_ready_i,
   output logic                              out_read_o,
   output logic [IndexW-1:0]                 out_index_o,
+  output logic                              out_last_o,
   output logic [TagW-1:0]                   out_tag_o,
   output logic [ItemW-1:0]                  out_item_o,
 
@@ -50,7 +51,7 @@ module pipegs_line_reader #(
   (* anyseq *) logic [IndexW-1:0] index;
   (* anyseq *) logic [TagW-1:0]   tag;
   (* anyseq *) logic [ItemW-1:0]  item;
-  (* anyseq *) logic ready, asks, valid, read, waiting, idle, bad;
+  (* anyseq *) logic ready, asks, valid, read, last, waiting, idle, bad;
 
   assign job_ready_o   = ready;
   assign mem_valid_o   = asks;
@@ -59,6 +60,7 @@ module pipegs_line_reader #(
   assign out_valid_o   = valid;
   assign out_read_o    = read;
   assign out_index_o   = index;
+  assign out_last_o    = last;
   assign out_tag_o     = tag;
   assign out_item_o    = item;
   assign bad_o         = bad;
@@ -70,9 +72,9 @@ module pipegs_line_reader #(
   proof_hold #(.DataW(pipegs_pkg::AddressW + pipegs_pkg::BurstW), .Assumed(1'b1)) u_hold_mem (
     .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i({mem_address_o, mem_lines_o})
   );
-  proof_hold #(.DataW(1 + IndexW + TagW + ItemW), .Assumed(1'b1)) u_hold_out (
+  proof_hold #(.DataW(2 + IndexW + TagW + ItemW), .Assumed(1'b1)) u_hold_out (
     .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i),
-    .beat_i({out_read_o, out_index_o, out_tag_o, out_item_o})
+    .beat_i({out_read_o, out_index_o, out_last_o, out_tag_o, out_item_o})
   );
 
   logic unused;

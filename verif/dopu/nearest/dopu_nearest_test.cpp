@@ -9,6 +9,7 @@
 
 #include "cpp_model/dopu/dopu_walks.hpp"
 #include "cpp_model/dopu/nearest/dopu_nearest.hpp"
+#include "cpp_model/pack/pack_nodes.hpp"
 #include "scenes/ply/ply.hpp"
 #include "verif/dopu/dopu_bench.hpp"
 #include "verif/support/random_open.hpp"
@@ -26,6 +27,18 @@ struct Tally {
   uint64_t windows = 0, chunks = 0, marks = 0, early = 0, crowded_early = 0;
   double released = 0;  // sum over the chunks: was it below the last watermark of its window
 };
+
+// With levels of detail: in one of four frames no group has proxies, in others those from any bucket on that one of the
+// groups takes.
+template <class Rng>
+void some_proxies(World& world, Rng& rng) {
+  if (!world.config.lod || world.packed.groups.empty() || rng() % 4 == 0) return;
+  const Node& group = world.packed.groups[rng() % world.packed.groups.size()];
+  const auto error = static_cast<int64_t>(group.error << (world.config.bucket_bits - Config::error_bits())),
+             bucket = static_cast<int64_t>(rng() % (uint64_t{1} << world.config.bucket_w()));
+  const int64_t lod = dopu_depth_edge(world.config, world.frame, static_cast<int>(bucket / 2)) - error;
+  world.frame.lod = static_cast<uint64_t>(std::clamp<int64_t>(lod, 1, (int64_t{1} << world.config.lod_w()) - 1));
+}
 
 // All walks of a frame, of a window or of a part, in their order; `crowded`: more nodes pass than the queue holds.
 struct Expected {
@@ -185,7 +198,11 @@ TEST(DopuNearest, SendsEveryChunkOnceWhateverStandsAroundIt) {
     Checker checker(dopu.units, dopu.config);
     std::optional<Expected> expected;
     six_frames(
-        dopu, [&](const World& world) { checker.begin(world, expected.emplace(world)); },
+        dopu,
+        [&](World& world) {
+          some_proxies(world, dopu.bench.rng);
+          checker.begin(world, expected.emplace(world));
+        },
         [&](const World&) { checker.finish(); });
     checker.print(around.name);
     EXPECT_EQ(checker.tally.early, 0u) << "chunks sent behind farther ones although the queue had room";
@@ -193,6 +210,27 @@ TEST(DopuNearest, SendsEveryChunkOnceWhateverStandsAroundIt) {
     EXPECT_GT(checker.tally.chunks, 1000u);
     EXPECT_EQ(checker.parts > 20, dopu.config.has_walks());
   }
+}
+
+// An entry of the table whose count has no bit in the field of that name: 128 groups, where a group's error takes the
+// upper bits. Its box is all there is.
+TEST(DopuNearest, WalksAnEntryOf128Groups) {
+  if (!test_config().lod) GTEST_SKIP() << "without proxies the count has a field of its own";
+  Dopu<> dopu({});
+  Checker checker(dopu.units, dopu.config);
+  World world(dopu.bench.rng, 34000, 300, 200);
+  std::vector<Node>& cells = world.packed.cells;
+  const std::vector<Node>& groups = world.packed.groups;
+  ASSERT_GT(groups.size(), 128u);
+  Node whole = make_parent(dopu.config, groups);
+  std::fill(cells.begin(), cells.end(), Node{});
+  whole.first = 0, whole.count = 128, cells[0] = whole;
+  whole.first = 128, whole.count = groups.size() - 128, cells[1] = whole;
+  const Expected expected(world);
+  checker.begin(world, expected);
+  dopu.frame(world);
+  checker.finish();
+  EXPECT_GT(checker.tally.chunks, 1000u);
 }
 
 // PUs that take a chunk every few hundred cycles: the queue fills up, two windows stand in it.
@@ -230,6 +268,7 @@ TEST(DopuNearest, SkipsTheRestOfAWindowThatIsDone) {
   for (int frame = 0; frame < 4; ++frame) {
     World world(rng, frame == 3 ? 2000 : 20000, 200, 150);
     if (world.config.has_walks()) world.frame.walk_most = frame % 2 == 0 ? 1 : 60000;
+    some_proxies(world, rng);
     const Expected expected(world);
     for (const Window& window : expected.windows) all += window.size();
     checker.begin(world, expected);
@@ -317,7 +356,8 @@ struct Shrinking : Endpoint {
         const Node& group = world.packed.groups[g];
         const bool group_fails = cell_fails || fails(group, cell_bucket);
         const int group_bucket = bucket(group, cell_bucket);
-        for (uint64_t k = group.first; k < group.first + group.count; ++k) {
+        const Node opened = dopu_lod(c, world.frame, group, group_bucket);
+        for (uint64_t k = opened.first; k < opened.first + opened.count; ++k) {
           const Node& chunk = world.packed.chunks[k];
           if (group_fails || fails(chunk, group_bucket)) slots.insert(chunk.first);
         }
@@ -340,6 +380,7 @@ TEST(DopuNearest, LeavesOutWhatLiesBesideTheOpenRectangle) {
     for (int frame = 0; frame < 3; ++frame) {
       World world(dopu.bench.rng, frame == 1 ? 2000 : 12000, 300, 200);
       if (world.config.has_walks()) world.frame.walk_most = frame == 0 ? 1 : 60000;
+      some_proxies(world, dopu.bench.rng);
       const Expected expected(world);
       for (const Window& window : expected.windows) all += window.size();
       shrinking.begin();

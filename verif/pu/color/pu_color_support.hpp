@@ -9,6 +9,8 @@
 #include <glm/gtc/quaternion.hpp>
 #include <random>
 
+#include "cpp_model/pu/color/pu_color_fetch.hpp"
+#include "cpp_model/pu/color/sh_code.hpp"
 #include "cpp_model/records.hpp"
 #include "scenes/sh_basis.hpp"
 #include "verif/support/draws.hpp"
@@ -60,25 +62,23 @@ inline std::array<int64_t, 15> functions(const ShBasis& b) {
   return {b.b1, b.b2, b.b3, b.b4, b.b5, b.b6, b.b7, b.b8, b.b9, b.b10, b.b11, b.b12, b.b13, b.b14, b.b15};
 }
 
-// Noise in every bit; the exponents from `low` to `high` in each quarter.
+// Noise in every bit; the exponents from `low` to `high` wherever a Gaussian may begin.
 template <class Rng>
 std::array<uint32_t, 16> random_line(const Config& config, Rng& rng, int low = 0, int high = 31) {
   std::array<uint32_t, 16> line;
   for (uint32_t& word : line) word = static_cast<uint32_t>(rng());
-  for (int quarter = 0; quarter < 4; ++quarter) {
-    put_bits(line.data(), 128 * quarter, config.sh_e_w,
+  for (int at = 0; at < config.memory_w(); at += config.coded() ? 64 : 128)
+    put_bits(line.data(), at, config.sh_e_w,
              static_cast<uint64_t>(low) + rng() % static_cast<uint64_t>(high - low + 1));
-  }
   return line;
 }
 
 // Coefficient k = 0.. of channel c in double.
 inline double coefficient(const Config& config, const Frame& frame, const uint32_t* line, uint64_t slot, int k, int c) {
-  const int first = frame.tables.sh_degree == 1 ? static_cast<int>(slot & 3) * 128 : 0;
-  const auto e = static_cast<int>(get_bits(line, first, config.sh_e_w));
-  auto m = static_cast<int64_t>(get_bits(line, first + config.sh_e_w + (3 * k + c) * config.sh_m_w, config.sh_m_w));
-  if ((m >> (config.sh_m_w - 1)) != 0) m -= int64_t{1} << config.sh_m_w;
-  return std::ldexp(static_cast<double>(m), e - 26 - config.sh_m_w);
+  const int degree = static_cast<int>(frame.tables.sh_degree);
+  const ShMantissas found = sh_mantissas(config, degree, line, color_place(config, degree, slot));
+  const auto m = static_cast<double>(found.of[static_cast<size_t>(3 * k + c)]);
+  return std::ldexp(m, found.exponent - 26 - config.sh_m_w);
 }
 
 }  // namespace pipegs

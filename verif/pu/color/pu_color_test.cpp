@@ -76,6 +76,7 @@ struct Fixture {
     frame.tables.sh_degree = degree;
     frame.tables.colors = kColors;
     write_frame(kConfig, bench.dut, frame);
+    port.halves = &bench.dut.mem_halves_o;
     for (uint64_t slot = 0; slot < 4096; ++slot)
       memory.line(kColors + slot) =
           slot % 2 == 0 ? random_line(kConfig, bench.rng) : random_line(kConfig, bench.rng, 14, 27);
@@ -83,7 +84,7 @@ struct Fixture {
   }
   void push(const ColorJob& job) {
     in.push(job);
-    expected.push_back(pu_color(kConfig, frame, job, memory.line(color_line(frame, job.slot)).data()));
+    expected.push_back(pu_color(kConfig, frame, job, memory.line(color_line(kConfig, frame, job.slot)).data()));
   }
   void check() {
     bench.run_until([&] { return out.size() == expected.size(); });
@@ -132,7 +133,7 @@ TEST(PuColor, StopsAtALineThatTheTableDoesNotHold) {
     Areas areas = wide_areas();
     areas.colors = 50;
     write_frame(kConfig, setup.bench.dut, setup.frame, areas);
-    const uint64_t slots = degree == 1 ? 200 : 50;
+    const auto slots = 50 * static_cast<uint64_t>(color_slots_per_line(kConfig, static_cast<int>(degree)));
     for (const uint64_t slot : {uint64_t{0}, slots - 1, slots, uint64_t{3}}) {
       ColorJob job = random_job(setup.bench.rng);
       job.slot = slot;
@@ -156,6 +157,7 @@ TEST(PuColor, AsksForOneLinePerGaussianAndForNoneWithoutSh) {
     }
     setup.check();
     EXPECT_EQ(setup.port.requests, degree == 0 || kConfig.sh_degree == 0 ? 0u : 45u);
+    EXPECT_EQ(setup.memory.traffic()[0].halves_read, setup.port.requests * (kConfig.coded() ? 1 : 2));
   }
 }
 

@@ -16,14 +16,22 @@
 namespace pipegs {
 namespace {
 
+// What the value names, on the default.
+Config named(const KnobValue& value) {
+  Config config;
+  for (const std::string& setting : value.settings) config_set(config, setting);
+  return config;
+}
+
 TEST(AccuracyKnobs, EveryValueIsLegalOnEveryDesignPointThatTakesItsOrder) {
   for (const DesignPoint& design_point : design_points()) {
     const Config& base = design_point.config;
     for (const Knob& knob : accuracy_knobs()) {
       for (const KnobValue& value : knob.values) {
         if (base.quadratic && knob.name == "layers") continue;
-        if (base.tight_boxes && with_value({}, value).scale_m_w > 12) continue;  // a node has no room for it
-        if (base.units == 8 && with_value({}, value).window == 16) continue;     // more units than regions
+        if (base.order != 2 && value.less.lod > 0) continue;
+        if (base.tight_boxes && named(value).scale_m_w > 12) continue;  // a node has no room for it
+        if (base.units == 8 && named(value).window == 16) continue;     // more units than regions
         EXPECT_NO_THROW(with_value(base, value)) << design_point.name << ": " << knob.name << " " << value.label;
       }
     }
@@ -34,9 +42,31 @@ TEST(AccuracyKnobs, TheDefaultIsAmongTheValues) {
   const Config standard;
   for (const Knob& knob : accuracy_knobs()) {
     bool found = false;
-    for (const KnobValue& value : knob.values) found = found || with_value(standard, value) == standard;
+    for (const KnobValue& value : knob.values) found = found || named(value) == standard;
     EXPECT_TRUE(found) << knob.name;
   }
+}
+
+// Three values have one configuration, and are three points all the same.
+TEST(AccuracyKnobs, ProxiesOfOneMachineAreMeasuredEachAndLeftOutWhereThereAreNone) {
+  const MeasurePoints none = [](const char*, std::vector<Point>& points) {
+    for (Point& point : points) point.figures.cycles = 1, point.figures.numeric.psnr = 60 - point.value.less.lod;
+  };
+  const SweepOptions options{.knobs = find_knobs({"codes", "proxies"}), .points = 8};
+  const AccuracySweep exact = accuracy_sweep(none, find_design_point("exact").config, options);
+  EXPECT_EQ(exact.skipped, std::vector<std::string>());
+  std::vector<double> pixels;
+  for (const Point& point : exact.all()) pixels.push_back(point.value.less.lod);
+  EXPECT_EQ(pixels, (std::vector<double>{0, 0, 4, 2, 1})) << "the base, codes, and each value of proxies";
+
+  const AccuracySweep dop = accuracy_sweep(none, find_design_point("dop").config, options);
+  ASSERT_EQ(dop.skipped.size(), 3u);
+  for (const std::string& reason : dop.skipped) {
+    EXPECT_NE(reason.find(" px: configuration: lod = 1 needs order = 2"), std::string::npos) << reason;
+    EXPECT_EQ(reason.find('\n'), std::string::npos) << reason;
+  }
+  EXPECT_EQ(dop.all().size(), 2u);
+  EXPECT_EQ(dop.knobs.at(1).points.size(), 1u);
 }
 
 TEST(AccuracyKnobs, AnUnknownOneIsRefused) {
@@ -93,6 +123,32 @@ TEST_F(SmallView, APointHoldsTheFiguresOfASimulation) {
   EXPECT_GT(a.buffer_kb(), 100);
 }
 
+// What proxies stand for has no place in an order.
+TEST_F(SmallView, OfProxiesAllErrorIsNumeric) {
+  Scene scene = random_scene(67, 6000, 0);
+  for (Gaussian& gaussian : scene.gaussians) {  // larger than their distance: a proxy stands for several
+    gaussian.mean = glm::vec3(0, 0, 5) + 0.2f * gaussian.mean;
+    gaussian.log_scale = glm::vec3(-1.9f);
+    gaussian.opacity_logit = 0;
+  }
+  const View view(scene, camera_, cameras_, options_, Measured::kErrors);
+  Config config = find_design_point("fast").config;
+  config_set(config, "lod=1");
+  const Figures a = view.measure(config, {.lod = 1000});
+  EXPECT_LT(a.numeric.psnr, view.measure(config).numeric.psnr - 3) << "no proxies in the picture";
+  EXPECT_DOUBLE_EQ(a.numeric.psnr, a.total.psnr);
+  EXPECT_TRUE(std::isinf(a.order.psnr));
+  EXPECT_TRUE(reaches(a, a.numeric.psnr));
+  SimulateOptions options = options_;
+  options.config = config;
+  options.lod_pixels = 1000;
+  Simulation simulation;
+  simulate_golden(scene, camera_, options, simulation);
+  simulate_truth(scene, camera_, options, simulation);
+  EXPECT_DOUBLE_EQ(a.numeric.psnr, simulation.psnr_numeric);
+  EXPECT_TRUE(std::isinf(simulation.psnr_order));
+}
+
 TEST_F(SmallView, TheTruthKeepsItsRulesWhateverTheMachineDoes) {
   const View view(scene_, camera_, cameras_, options_, Measured::kErrors);
   const double base = view.measure(options_.config).numeric.psnr;
@@ -141,6 +197,17 @@ TEST(AccuracyFront, HoldsWhatNothingBeats) {
   ASSERT_EQ(front.size(), 2u);
   EXPECT_EQ(front[0], &points[1]);
   EXPECT_EQ(front[1], &points[0]);
+}
+
+// Its words draw the same frame, not only the same machine.
+TEST(AccuracyFront, TheTargetNamesTheProxiesOfItsFrame) {
+  Point one{
+      .knob = "proxies", .value = {.label = "2 px", .less = {.lod = 2}}, .config = find_design_point("exact").config};
+  one.config.lod = 1;
+  one.figures.numeric.psnr = 50, one.figures.order.psnr = std::numeric_limits<double>::infinity();
+  const Table table = target_table({one}, 45);
+  ASSERT_EQ(table.notes.size(), 2u);
+  EXPECT_TRUE(table.notes[1].ends_with("--set lod=1 --lod-pixels 2")) << table.notes[1];
 }
 
 TEST(AccuracyFront, TheTargetIsReachedByTheCheapest) {

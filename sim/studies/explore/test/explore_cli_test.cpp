@@ -152,6 +152,9 @@ TEST_F(ExploreCli, TradeoffTellsEveryPointOnceAndTakesWhatIsStored) {
     ++knobs[point["knob"]];
     on_front += !point["front"].is_null();
     EXPECT_DOUBLE_EQ(point["us"], point["cycles"].get<double>() / 1000);
+    EXPECT_EQ(point["silicon"].is_null(),
+              point["configuration"].get<std::string>().find("order=2") == std::string::npos)
+        << point["label"];
     EXPECT_EQ(point["width"], point["label"] == "1/2"       ? 35
                               : point["label"] == "3/4"     ? 53
                               : point["knob"] != "together" ? 70
