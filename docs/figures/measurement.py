@@ -44,7 +44,7 @@ class Measurement:
         scene += f"--view {self.view} " if self.view is not None else ""
         shown = self.command.replace("{scene} ", "" if self.scene == "own" else scene)
         shown = shown.replace("{levels}", f"{self.scene}/ --cameras {self.scene}/cameras.json")
-        return shown.replace("{reference}", "reference.png").replace("{truth}", "truth.png")
+        return shown.replace("{reference}", "reference.png").replace("{truth}", "truth")
 
     @property
     def kind(self):

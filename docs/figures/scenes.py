@@ -68,11 +68,12 @@ def levels(scene):
 
 
 def truth(scene, build):
-    """The first view of the whole scene in float64."""
+    """A folder with the first view of the whole scene in float64, named as that of a sequence is."""
     folder = build / "figures" / f"{scene}_truth_{hash_of('models')}"
-    if not (folder / "frame.png").exists():
+    if not (folder / "frame_0000.png").exists():
         words = ["--view", "0", "--model", "truth", "--semantics", "inria", "--out", folder]
         subprocess.run(
             [build / "pipegs", "render", *prepared(scene, build), *words], check=True, stdout=subprocess.DEVNULL
         )
-    return folder / "frame.png"
+        (folder / "frame.png").rename(folder / "frame_0000.png")
+    return folder
