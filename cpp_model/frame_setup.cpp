@@ -65,9 +65,8 @@ struct Refusal {
     throw FrameError(fmt::format("camera '{}': windows ({}, {}) to ({}, {}) do not lie in {} x {} windows", camera.name,
                                  range.first_x, range.first_y, range.last_x, range.last_y, columns, rows));
   }
-  double guard(double focal, int size) const { return kGuardBand * size / (2 * focal); }
-  double reach(double focal, int size) const {
-    return std::sqrt(2 * std::log(config.alpha_cut)) * focal * std::hypot(1, guard(focal, size));
+  double reach(double focal, double tangent) const {
+    return std::sqrt(2 * std::log(config.alpha_cut)) * focal * std::hypot(1, kGuardBand * tangent);
   }
   [[noreturn]] void tell(pipegs_setup setup) const {
     const int world = config.world_w - 2 + scene.scene_exponent, center = config.center_w() - config.center_f() - 1;
@@ -83,10 +82,10 @@ struct Refusal {
       case PIPEGS_SETUP_FOCAL_Y: fail_focal("the focal length fy", camera.fy);
       case PIPEGS_SETUP_CENTER_X: fail_signed("the principal point cx", camera.cx, center);
       case PIPEGS_SETUP_CENTER_Y: fail_signed("the principal point cy", camera.cy, center);
-      case PIPEGS_SETUP_GUARD_X: fail_unsigned(guard_band, guard(camera.fx, camera.width), 4);
-      case PIPEGS_SETUP_GUARD_Y: fail_unsigned(guard_band, guard(camera.fy, camera.height), 4);
-      case PIPEGS_SETUP_REACH_X: fail_unsigned(unit_reach, reach(camera.fx, camera.width), pixels);
-      case PIPEGS_SETUP_REACH_Y: fail_unsigned(unit_reach, reach(camera.fy, camera.height), pixels);
+      case PIPEGS_SETUP_GUARD_X: fail_unsigned(guard_band, kGuardBand * camera.tan_x(), 4);
+      case PIPEGS_SETUP_GUARD_Y: fail_unsigned(guard_band, kGuardBand * camera.tan_y(), 4);
+      case PIPEGS_SETUP_REACH_X: fail_unsigned(unit_reach, reach(camera.fx, camera.tan_x()), pixels);
+      case PIPEGS_SETUP_REACH_Y: fail_unsigned(unit_reach, reach(camera.fy, camera.tan_y()), pixels);
       case PIPEGS_SETUP_NEAR_PLANE:
         fail_unsigned("the near plane", near_plane, config.world_w - 1 + scene.scene_exponent);
       case PIPEGS_SETUP_ANTIALIAS: throw FrameError("the scene is antialiased, the configuration has antialias = 0");
@@ -153,6 +152,7 @@ pipegs_camera driver_camera(const Camera& camera, double near_plane) {
   taken.center[0] = number(camera.cx), taken.center[1] = number(camera.cy);
   taken.near_plane = number(near_plane);
   taken.width = static_cast<uint32_t>(camera.width), taken.height = static_cast<uint32_t>(camera.height);
+  taken.of_width = static_cast<uint32_t>(camera.of_width), taken.of_height = static_cast<uint32_t>(camera.of_height);
   return taken;
 }
 

@@ -23,9 +23,13 @@ struct Camera {
   std::string name;
   int id = 0;
   int width = 0, height = 0;
+  int of_width = 0, of_height = 0;  // pixels of the picture of which it shows a part; 0: of all of it
   glm::dvec3 position{0};
   glm::dmat3 world_to_camera{1};  // GLM column-major
   double fx = 0, fy = 0, cx = 0, cy = 0;
+  // tan(fov / 2) of the whole picture.
+  double tan_x() const { return (of_width == 0 ? width : of_width) / (2 * fx); }
+  double tan_y() const { return (of_height == 0 ? height : of_height) / (2 * fy); }
 };
 
 // What a file of cameras does not say.

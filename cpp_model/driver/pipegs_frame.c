@@ -176,6 +176,8 @@ static enum pipegs_setup set_lens(const struct pipegs_configuration *config, con
   const int begin = axis == 0 ? PIPEGS_SETUP_FOCAL_X : PIPEGS_SETUP_FOCAL_Y;
   uint64_t *const focal = axis == 0 ? &frame->lens_focal_x : &frame->lens_focal_y;
   uint64_t *const limit = axis == 0 ? &frame->lens_limit_x : &frame->lens_limit_y;
+  const uint32_t size = axis == 0 ? camera->width : camera->height, of = axis == 0 ? camera->of_width : camera->of_height;
+  const uint32_t whole = of == 0 ? size : of;
   uint64_t *const spread = axis == 0 ? &frame->lens_spread_x : &frame->lens_spread_y;
   if (!unsigned_field(camera->focal[axis], (int)config->focal_w - FOCAL_BITS, config->focal_w, focal) || *focal == 0) {
     return (enum pipegs_setup)begin;
@@ -184,7 +186,7 @@ static enum pipegs_setup set_lens(const struct pipegs_configuration *config, con
                     axis == 0 ? &frame->lens_center_x : &frame->lens_center_y)) {
     return (enum pipegs_setup)(begin + 1);
   }
-  if (!set_guard(camera->focal[axis], axis == 0 ? camera->width : camera->height, config->tan_f, limit)) {
+  if (!set_guard(camera->focal[axis], whole, config->tan_f, limit)) {
     return (enum pipegs_setup)(begin + 2);
   }
   if (!set_reach(config, *focal, *limit, axis == 0 ? &frame->lens_reach_x : &frame->lens_reach_y)) {
@@ -229,6 +231,7 @@ enum pipegs_setup pipegs_setup_eyes(const struct pipegs_configuration *config, c
     frame->eyes_reach_z = along(config, frame->camera_rotation_w02, x, frame->camera_rotation_w12, y);
   }
   frame->raster_eyes = 3;
+  frame->walk_most = (frame->walk_most + 1) / 2; /* a record for each eye */
   return PIPEGS_SETUP_OK;
 }
 

@@ -35,6 +35,7 @@ struct pipegs_camera {
   struct pipegs_number center[2];      /* pixels; pixel i has its centre at i, so (width - 1) / 2 is the middle */
   struct pipegs_number near_plane;     /* scene units */
   uint32_t width, height;              /* pixels */
+  uint32_t of_width, of_height;        /* of the picture of which this is a part; 0: it is the whole one */
 };
 
 /* INRIA's near plane, 0.2, as a double has it. */
@@ -132,8 +133,8 @@ enum pipegs_setup pipegs_setup_job(const struct pipegs_configuration *config, co
 /* Two eyes (a machine with eyes = 2): the camera stands between them, and the second one twice `half` further to its
  * right and down (scene units) than the first one. Both have its rotation and lens. Makes `job` write both pictures:
  * that of the second eye lies behind that of the first one by windows, as does each AOV of it; in raster order frame.
- * raster_eye_lines (bytes) is to be set so that both have room. Without it only the first eye's picture is made, that
- * of the camera. */
+ * raster_eye_lines (bytes) is to be set so that both have room. A Gaussian gives a record for each eye, so walk_most is
+ * halved. Without it only the first eye's picture is made, that of the camera. */
 enum pipegs_setup pipegs_setup_eyes(const struct pipegs_configuration *config, const struct pipegs_scene *scene,
                                     const struct pipegs_number half[2], struct pipegs_job *job);
 

@@ -26,8 +26,7 @@ struct Limits {
 };
 
 // The range of x/z (or y/z) inside J.
-Limits guard_band(Semantics semantics, int size, double focal, double center) {
-  const double tangent = size / (2 * focal);
+Limits guard_band(Semantics semantics, double tangent, int size, double focal, double center) {
   if (semantics != Semantics::kGsplat) return {-kTruthGuardBand * tangent, kTruthGuardBand * tangent};
   const double gsplat_center = center + 0.5;
   const double extra = (kTruthGuardBand - 1) * tangent;
@@ -107,8 +106,8 @@ TruthProjection project_truth(const ActivatedGaussian& gaussian, const glm::vec3
   if (!(gsplat ? view.z >= options.near_plane && view.z <= kGsplatFar : view.z > options.near_plane)) return out;
 
   const double z = view.z;
-  const Limits lx = guard_band(semantics, camera.width, camera.fx, camera.cx);
-  const Limits ly = guard_band(semantics, camera.height, camera.fy, camera.cy);
+  const Limits lx = guard_band(semantics, camera.tan_x(), camera.width, camera.fx, camera.cx);
+  const Limits ly = guard_band(semantics, camera.tan_y(), camera.height, camera.fy, camera.cy);
   const double tx = std::clamp(view.x / z, lx.lowest, lx.highest);
   const double ty = std::clamp(view.y / z, ly.lowest, ly.highest);
   const glm::dmat3 m = camera.world_to_camera * rotation_matrix(gaussian.rotation);

@@ -61,7 +61,7 @@ struct Geometry {
         scale(g.scale) {
     const double z = view.z;
     gx = c.fx / z, gy = c.fy / z;
-    const double lx = kTruthGuardBand * c.width / (2 * c.fx), ly = kTruthGuardBand * c.height / (2 * c.fy);
+    const double lx = kTruthGuardBand * c.tan_x(), ly = kTruthGuardBand * c.tan_y();
     tx = std::clamp(view.x / z, -lx, lx), ty = std::clamp(view.y / z, -ly, ly);
     largest = std::max({scale.x, scale.y, scale.z});
     const double a = metric.length(gx, 0), b = metric.length(0, gy), d = metric.length(gx * tx, gy * ty);

@@ -17,7 +17,7 @@ struct OptionGroup {
 const OptionGroup kGroups[] = {
     {"Scene", {"--lod", "--axes", "--strict"}},
     {"Camera",
-     {"--cameras", "--view", "--views", "--path", "--budget", "--size", "--scale", "--window", "--crop",
+     {"--cameras", "--view", "--views", "--path", "--gaze", "--budget", "--size", "--scale", "--window", "--crop",
       "--ignore-distortion", "--orbit", "--from", "--look-at", "--up", "--fov", "--near", "--background"}},
     {"Machine",
      {"--design", "--designs", "--config", "--set", "--walk-most", "--rest", "--lod-pixels", "--picture", "--effects",

@@ -132,6 +132,12 @@ Option add_place(CLI::App& app, const std::string& name, std::vector<int>& place
                         [](const std::string& text, size_t) { return parse_integer<int>(text, 0); });
 }
 
+Option add_counts(CLI::App& app, const std::string& name, std::vector<int>& counts, const std::string& what,
+                  const std::string& shape, int most) {
+  return add_shape<int>(app, name, counts, what, shape,
+                        [most](const std::string& text, size_t) { return parse_integer<int>(text, 0, most); });
+}
+
 Option add_vector(CLI::App& app, const std::string& name, std::vector<double>& values, const std::string& what,
                   const RealRange& range) {
   return add_shape<double>(app, name, values, what, "X,Y,Z",

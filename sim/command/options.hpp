@@ -81,6 +81,10 @@ Option add_lists(CLI::App& app, const std::string& name, std::vector<std::vector
 // Of the rest nothing is set without the option. Column and row:
 Option add_place(CLI::App& app, const std::string& name, std::vector<int>& place, const std::string& what);
 
+// Integers from 0 to `most`, as many as `shape` has by commas.
+Option add_counts(CLI::App& app, const std::string& name, std::vector<int>& counts, const std::string& what,
+                  const std::string& shape, int most);
+
 // Three numbers.
 Option add_vector(CLI::App& app, const std::string& name, std::vector<double>& values, const std::string& what,
                   const RealRange& range);

@@ -41,6 +41,7 @@ std::string contents(const Scene& scene) {
 std::vector<double> pose_of(const Camera& camera) {
   std::vector<double> pose = {camera.position.x, camera.position.y, camera.position.z, camera.fx,
                               camera.fy,         camera.cx,         camera.cy};
+  if (camera.of_width != 0) pose.insert(pose.end(), {camera.tan_x(), camera.tan_y()});
   for (int i = 0; i < 3; ++i) {
     for (int k = 0; k < 3; ++k) pose.push_back(camera.world_to_camera[i][k]);
   }

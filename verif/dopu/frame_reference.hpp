@@ -81,11 +81,11 @@ inline void set_rotation(const Config& config, ReferenceFields& set, Frame& fram
 // Focal length, principal point, guard band and reach of one image axis.
 inline void set_lens(const Config& config, ReferenceFields& set, bool x, uint64_t& focal, int64_t& center,
                      uint64_t& limit, uint64_t& reach) {
-  const double f = x ? set.camera.fx : set.camera.fy, size = x ? set.camera.width : set.camera.height;
+  const double f = x ? set.camera.fx : set.camera.fy, tangent = x ? set.camera.tan_x() : set.camera.tan_y();
   focal = set.unsigned_field(f, config.focal_f(), config.focal_w());
   set.fits = set.fits && focal != 0;
   center = set.signed_field(x ? set.camera.cx : set.camera.cy, config.center_f(), config.center_w());
-  limit = set.unsigned_field(kGuardBand * size / (2 * f), config.tan_f, 4 + config.tan_f);
+  limit = set.unsigned_field(kGuardBand * tangent, config.tan_f, 4 + config.tan_f);
   // From the rounded fields and one unit up: a bound on what the machine computes.
   const double slope = std::ldexp(static_cast<double>(limit + 1), -config.tan_f);
   const double pixels = std::ldexp(static_cast<double>(focal), -config.focal_f());

@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "scenes/percentile.hpp"
+#include "sim/command/sequence/gaze_table.hpp"
 #include "sim/design/design_point.hpp"
 #include "sim/report/finite.hpp"
 #include "sim/report/table.hpp"
@@ -100,6 +101,7 @@ Table frames_table(const FrameTable& table) {
                            {.key = "camera", .heading = "camera", .word = true},
                            {.key = "width", .heading = "width"},
                            {.key = "height", .heading = "height"},
+                           {.key = "sample", .heading = "sample, pixels"},
                            {.key = "rest", .heading = "rest", .digits = 4},
                            {.key = "lod_pixels", .heading = "lod, pixels", .digits = 2},
                            {.key = "cycles", .heading = "cycles"},
@@ -122,6 +124,7 @@ Table frames_table(const FrameTable& table) {
                            text_cell(row.camera.name),
                            number_cell(row.camera.width),
                            number_cell(row.camera.height),
+                           row.sample ? number_cell(*row.sample) : TableCell{},
                            row.rest ? number_cell(*row.rest) : TableCell{},
                            row.lod_pixels ? number_cell(*row.lod_pixels) : TableCell{},
                            cell(row.cycles),
@@ -205,6 +208,7 @@ Json to_json(const FrameTable& table) {
                 {"camera", row.camera.name},
                 {"width", row.camera.width},
                 {"height", row.camera.height}};
+    if (row.sample) one["sample"] = *row.sample;
     if (row.rest) one["rest"] = *row.rest;
     if (row.lod_pixels) one["lod_pixels"] = *row.lod_pixels;
     if (row.steady) one["steady_db"] = finite_json(*row.steady);
@@ -221,6 +225,7 @@ Json to_json(const FrameTable& table) {
   }
   if (table.rtl()) json["cycles_queued"] = queued(table);
   json["cycles_alone"] = alone(table);
+  if (!table.gaze.empty()) json["gaze"] = gaze_json(table);
   for (const Quantity& quantity : quantities(table)) {
     for (const Rank& rank : kRanks) {
       const Ranked one = ranked(table, quantity, rank);
@@ -242,6 +247,7 @@ std::string head_of(const FrameTable& table) {
 
 std::vector<Table> frame_tables(const FrameTable& table, bool all) {
   std::vector<Table> tables = summary_tables(qualities(table));
+  for (const Table& one : gaze_tables(table)) tables.push_back(one);
   tables.insert(tables.begin(), percentiles_table(table));
   if (all || table.rows.size() <= kShown) tables.insert(tables.begin(), frames_table(table));
   return tables;

@@ -22,6 +22,7 @@ namespace pipegs {
 struct FrameRow {
   double view = 0;  // its number in the file; between two on a path
   Camera camera;
+  std::optional<int> sample = {};         // of a part of a picture (--gaze): pixels of a sample in each direction
   std::optional<double> rest = {};        // transmittance below which a pixel stops, where the machine has the field
   std::optional<double> lod_pixels = {};  // proxies that differ by less than so many, where the machine has proxies
   std::optional<double> steady = {};      // PSNR to the frame before, where that is as large
@@ -37,11 +38,27 @@ struct FrameRow {
 std::vector<FrameRow> views_of(const std::vector<Camera>& cameras, const std::vector<int>& views);
 std::vector<Camera> cameras_of(const std::vector<FrameRow>& rows);
 
+// One picture in parts, which are as many rows, and its rings of samples as large.
+struct GazeRing {
+  int sample = 1;  // pixels in each direction
+  uint64_t pixels = 0;
+  double from_degrees = 0;  // from the gaze
+  struct Decibels {
+    double repeated, smooth, mean;  // to the whole picture in float64: samples repeated, blended, against its means
+  };
+  std::optional<Decibels> db = {};
+};
+struct GazeView {
+  size_t parts = 0;
+  std::vector<GazeRing> rings;
+};
+
 struct FrameTable {
   std::string scene;
   Config config;
   std::string memory;
   std::vector<FrameRow> rows;
+  std::vector<GazeView> gaze = {};  // all rows belong to one, in their order, or there is none
 
   bool rtl() const { return !rows.empty() && rows[0].cycles_queued.has_value(); }
   bool priced() const { return !rows.empty() && rows[0].cost.has_value(); }

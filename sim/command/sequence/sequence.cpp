@@ -20,6 +20,7 @@
 #include "sim/command/page/study_output.hpp"
 #include "sim/command/sequence/frame_files.hpp"
 #include "sim/command/sequence/frame_table.hpp"
+#include "sim/command/sequence/gaze_views.hpp"
 #include "sim/progress.hpp"
 #include "sim/rtl/rtl_fault.hpp"
 #include "sim/report/finite.hpp"
@@ -93,13 +94,14 @@ class Levels {
 class Sequence {
  public:
   Sequence(const LoadedView& loaded, std::vector<FrameRow> rows, const SimulateOptions& options,
-           const PictureArguments& picture, bool truth, const FrameFilesOptions& files)
+           const PictureArguments& picture, bool truth, const FrameFilesOptions& files, std::optional<GazeViews> gaze)
       : table_{loaded.scene.name, options.config, options.memory.dram, std::move(rows)},
         scene_(loaded.scene),
         options_(options),
         picture_(picture),
         truth_(truth),
-        files_(files) {
+        files_(files),
+        gaze_(std::move(gaze)) {
     packed_ = pack_views(scene_, cameras_of(table_.rows), options);
   }
 
@@ -123,6 +125,7 @@ class Sequence {
         if (truth_) row.quality.truth = kept->truth;
         levels.took(row.cycles);
         before_ = {};
+        if (gaze_) gaze_->add(drawn(row.camera, frame));
         continue;
       }
       const auto at = [&](double share) {
@@ -132,7 +135,7 @@ class Sequence {
         progress.update((static_cast<double>(i) + share) / static_cast<double>(table_.rows.size()),
                         fmt::format("{} of {}", i + 1, table_.rows.size()));
       };
-      if (i > 0 && before_.width == 0) draw_again(table_.rows[i - 1].camera, before);
+      if (i > 0 && before_.width == 0 && !gaze_) before_ = drawn(table_.rows[i - 1].camera, before);
       simulate_golden(options_, simulation, {.progress = [&](double share) { at(0.4 * share); }});
       write(simulation, row);
       at(0.4);
@@ -194,6 +197,7 @@ class Sequence {
     for (size_t i = 0; i < against.size(); ++i) table_.rows[i].quality.against = against[i];
     for (FrameRow& row : table_.rows)
       row.cost = silicon_.cost(table_.config, row.cycles, row.bytes.read + row.bytes.written);
+    if (gaze_) table_.gaze = gaze_->done();
     return table_;
   }
 
@@ -209,18 +213,19 @@ class Sequence {
 
   void write(const Simulation& simulation, FrameRow& row) {
     Image now = picture_of(simulation, options_);
-    if (now.width == before_.width && now.height == before_.height) row.steady = psnr(before_, now);
     files_.add(now, picture_.picture(simulation, options_));
+    if (gaze_) return gaze_->add(now);
+    if (now.width == before_.width && now.height == before_.height) row.steady = psnr(before_, now);
     before_ = std::move(now);
   }
 
-  // The picture of a frame that was kept, for the one behind it.
-  void draw_again(const Camera& camera, const Frame& frame) {
+  // The picture of a frame that was kept.
+  Image drawn(const Camera& camera, const Frame& frame) const {
     Simulation simulation;
     simulate_frame(packed_, camera, options_, simulation);
     simulation.input.frame = frame;
     simulate_golden(options_, simulation, {});
-    before_ = picture_of(simulation, options_);
+    return picture_of(simulation, options_);
   }
 
   Frame set_up(FrameRow& row, Levels& levels, Simulation& simulation) const {
@@ -266,6 +271,7 @@ class Sequence {
   const PictureArguments& picture_;
   const bool truth_;
   FrameFiles files_;
+  std::optional<GazeViews> gaze_;
   PackedScene packed_;
   Image before_;  // the picture that was written last
   std::optional<Mismatch> first_;
@@ -297,10 +303,15 @@ void SequenceArguments::add(CLI::App& app) {
   add_read(app, "--budget",
            "of a sequence: cycles of a frame, such as 4M, which the driver holds by --rest and --lod-pixels", "INT",
            [this](const std::string& text) { budget = parse_cycles(text); });
+  add_counts(
+      app, "--gaze", gaze,
+      "of a sequence: samples of a pixel up to FULL pixels from X,Y, of 2x2 up to HALF, of 4x4 farther out, each "
+      "ring in frames of its own",
+      "X,Y,FULL,HALF", kMaxImageSide);
 }
 
 void SequenceArguments::check(const CLI::App& command, const std::string& out) const {
-  for (const char* option : {"--frames", "--truth", "--budget"}) {
+  for (const char* option : {"--frames", "--truth", "--budget", "--gaze"}) {
     if (!wanted() && is_given(command, option))
       throw ConfigError(fmt::format("{}: found one frame, expected --views or --path", option));
   }
@@ -309,6 +320,13 @@ void SequenceArguments::check(const CLI::App& command, const std::string& out) c
     if (budget != 0 && is_given(command, option))
       throw ConfigError(fmt::format("{}: found --budget, too, expected one of them", option));
   }
+  for (const char* option : {"--budget", "--against", "--viewer", "--window", "--crop"}) {
+    if (!gaze.empty() && is_given(command, option))
+      throw ConfigError(fmt::format("{}: found --gaze, too, expected one of them", option));
+  }
+  if (!gaze.empty() && gaze[3] < gaze[2])
+    throw ConfigError(fmt::format(
+        "--gaze: found half the resolution from {} pixels and a quarter from {}, expected no less", gaze[2], gaze[3]));
   for (const std::string& kind : frames) {
     if (kind != "png" && kind != "exr" && (kind != "none" || frames.size() > 1))
       throw ConfigError(fmt::format("--frames: found {}, expected png, exr or none alone", quote(kind)));
@@ -329,6 +347,16 @@ int run_sequence(const ViewArguments& view, const SequenceArguments& sequence, c
   std::vector<FrameRow> rows = views_of(loaded.cameras, sequence.views);
   if (sequence.path > 0) rows = path_of(rows, sequence.path);
   loaded.told->tell(check_views(loaded.scene, cameras_of(rows), simulated.near_plane));
+  FrameFilesOptions files = files_of(sequence, run.out);
+  std::optional<GazeViews> gaze;
+  if (!sequence.gaze.empty()) {
+    const Gaze where = {sequence.gaze[0], sequence.gaze[1], sequence.gaze[2], sequence.gaze[3]};
+    for (const FrameRow& view : rows) check_picture_memory(view.camera, simulated, kTruthPixels);
+    const Background behind = picture.color();
+    gaze.emplace(loaded.scene, rows, where, simulated, glm::dvec3(behind[0], behind[1], behind[2]) / 255.0,
+                 files.png ? run.out : "", sequence.truth);
+    rows = rows_of_parts(rows, where);
+  }
   const uint64_t held = run.rtl ? rows.size() : 1;  // frames in memory at a time
   const PixelBytes each = run.rtl ? kGoldenPixels + kRtlPixels : kGoldenPixels;
   const uint64_t more = kWritePixels.asked + (sequence.truth ? kTruthPixels.asked : 0);
@@ -338,14 +366,13 @@ int run_sequence(const ViewArguments& view, const SequenceArguments& sequence, c
   against.begin(loaded, cameras_of(rows), simulated, true);
   ViewerArgument viewer = run.viewer;
   viewer.begin(loaded, cameras_of(rows), simulated, picture.color(), run.command);
-  FrameFilesOptions files = files_of(sequence, run.out);
   std::vector<std::optional<AgainstFigures>> like;
   if (viewer.wanted() || against.wanted())
     files.show = [&](const Rgb8& shown) {
       viewer.add(shown);
       if (against.wanted()) like.push_back(against.figures(like.size(), shown));
     };
-  Sequence frames(loaded, std::move(rows), simulated, picture, sequence.truth, files);
+  Sequence frames(loaded, std::move(rows), simulated, picture, sequence.truth, files, std::move(gaze));
   if (run.rtl) frames.rtl(run.replay, sequence.budget);
   else frames.model(run.out + "/kept", sequence.budget);
   const FrameTable& table = frames.finish(like);

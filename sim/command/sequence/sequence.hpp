@@ -5,7 +5,8 @@
 //         so many frames. With the RTL all frames run twice, each queued behind the one before and each when the
 //         machine is empty, and every beat and pixel is compared. With --no-rtl the golden model draws and the timing
 //         model counts, frame by frame: for hundreds of frames, and a run that was stopped goes on where it was. With
-//         --budget the driver (pipegs_budget.h) chooses what each frame gives up by what the last one took.
+//         --budget the driver (pipegs_budget.h) chooses what each frame gives up by what the last one took. With --gaze
+//         each view is a picture in parts (gaze_views.hpp), which are frames.
 // Writes  Pictures (frame_files.hpp), sequence.json, frames.csv; sequence.html with --page; kept/ with --no-rtl.
 #pragma once
 
@@ -25,8 +26,9 @@ struct SequenceArguments {
   std::vector<int> views;  // first and last; nothing: not asked for
   int path = 0;            // frames
   std::vector<std::string> frames = {"png"};
-  bool truth = false;   // the float64 renders of each frame, too
-  uint64_t budget = 0;  // cycles of a frame; 0: rest and level of detail are those of the options
+  bool truth = false;     // the float64 renders of each frame, too
+  uint64_t budget = 0;    // cycles of a frame; 0: rest and level of detail are those of the options
+  std::vector<int> gaze;  // x, y, full, half as in Gaze; nothing: each view is one frame
 
   void add(CLI::App& app);
   bool wanted() const { return !views.empty() || path > 0; }

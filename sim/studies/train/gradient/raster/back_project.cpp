@@ -84,8 +84,7 @@ SeenSplat back_project(const Parameters& parameters, std::size_t i, const Camera
   activate(parameters, i, gaussian);
   const glm::dvec3 offset = gaussian.mean - camera.position, at = camera.world_to_camera * offset;
   const double fx = camera.fx / at.z, fy = camera.fy / at.z, x = at.x / at.z, y = at.y / at.z;
-  const double band_x = kTruthGuardBand * camera.width / (2 * camera.fx),
-               band_y = kTruthGuardBand * camera.height / (2 * camera.fy);
+  const double band_x = kTruthGuardBand * camera.tan_x(), band_y = kTruthGuardBand * camera.tan_y();
   const double tx = std::clamp(x, -band_x, band_x), ty = std::clamp(y, -band_y, band_y);
 
   const glm::dmat3 turned = camera.world_to_camera * rotation_matrix(gaussian.rotation);
