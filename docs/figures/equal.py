@@ -11,7 +11,8 @@ from measurements import TABLE
 from sources import settings
 
 QUANTITIES = ("cycles", "bytes", "mm2", "psnr_numeric_db", "psnr_order_db", "psnr_total_db")
-OTHER = re.compile(r"--(?:scale|window|path|views|memory|library|walk-most|picture) \S+")  # that make it another frame
+# Options that make it another frame.
+OTHER = re.compile(r"--(?:scale|window|crop|path|views|memory|library|walk-most|lod-pixels|picture) \S+")
 
 
 def leaves(value, name):

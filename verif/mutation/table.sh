@@ -245,6 +245,9 @@ mutant pu_done "what is done in the window above is done" 's/ && progress\.y\[j\
 # --- rtl/pu: colour ---------------------------------------------------------------------------------------------------
 group color "PU: colour"
 mutant pipegs_rsqrt "rounding: half becomes one" 's/<< \(DropF - 1\)/<< DropF/'
+mutant pu_color_sum "a Gaussian without bands takes a line, too" 's/(line_ready_o +=) pop && shaded/\1 pop/' pu_color
+mutant pu_color_sum "the last pair of degree 1 is left out" \
+       "s/2'd1:( +)last_step = 3'd1/2'd1:\1last_step = 3'd0/" pu_color
 mutant pu_color_rotate "w12 for w21" 's/(row_b = [a-z_.]*)w21/\1w12/' pu_color
 mutant pu_color_normalise "does not wait for its output register" \
        "s/\(step_q != 3'd2 \|\| !unit_valid_q \|\| unit_ready_i\)/1/" pu_color

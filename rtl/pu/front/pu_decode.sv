@@ -152,4 +152,14 @@ module pu_decode (
 
   wire unused_bits = &{1'b0, near, coded_bits};
 
+`ifndef SYNTHESIS
+  pipegs_stream_check #(.DataW($bits(fetched_o))) u_check_fetched (
+    .clk_i,
+    .rst_ni,
+    .valid_i(fetched_valid_o),
+    .ready_i(fetched_ready_i),
+    .beat_i (fetched_o)
+  );
+`endif
+
 endmodule

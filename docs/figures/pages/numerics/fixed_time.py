@@ -8,7 +8,6 @@ from measurements import BUDGETED, BUDGETS, COARSER, PART, PROXIES  # noqa: F401
 from pages.numerics.time import TITLES, base, share, single
 
 MEASURED = ["budgets/*", "proxies/*", "levels/*", "tradeoff/*"]
-WALKED = {**TITLES, "own_16m": "our own scene in 16 M parts"}
 UNIT = {"k": 1000, "M": 1000000}
 MISS = 0.1  # of the budget: a frame that takes more than so much above it has missed it
 STEPS = (0.5, 1, 2, 4)  # pixels: of `study tradeoff`
@@ -17,6 +16,11 @@ STEPS = (0.5, 1, 2, 4)  # pixels: of `study tradeoff`
 def budget(scene):
     """Cycles."""
     return int(BUDGETS[scene][:-1]) * UNIT[BUDGETS[scene][-1]]
+
+
+def walked():
+    """The scenes whose walks are measured: the largest one's with class d only."""
+    return [scene for scene in BUDGETS if all(f"{scene}_{kind}" in data.budgets for kind in ("free", "held"))]
 
 
 def frames(scene, kind):
@@ -59,7 +63,7 @@ def walks():
     """What frames take, without a budget and with one."""
     return listing(
         "walk, thousands of cycles",
-        [(WALKED[scene], scene) for scene in BUDGETS],
+        [(TITLES[scene], scene) for scene in walked()],
         ("without: median", lambda scene: statistics.median(taken(scene, "free")) / 1e3, fixed, 0),
         ("largest", lambda scene: max(taken(scene, "free")) / 1e3, fixed, 0),
         ("budget", lambda scene: thousands(budget(scene))),
@@ -77,7 +81,7 @@ def levels_used():
 
     return listing(
         "walk",
-        [(WALKED[scene], scene) for scene in BUDGETS],
+        [(TITLES[scene], scene) for scene in walked()],
         ("rest: median", lambda scene: percent(statistics.median(one.rest or 0 for one in frames(scene, "held")), 2)),
         ("most", lambda scene: percent(most(scene, "rest"), 1)),
         (
@@ -96,7 +100,7 @@ def popping():
 
     return listing(
         "walk, dB to the frame before",
-        [(WALKED[scene], scene) for scene in BUDGETS],
+        [(TITLES[scene], scene) for scene in walked()],
         *[
             (f"{title}: {rank}", lambda scene, kind=kind, of=of: of(steady(scene, kind)), fixed, 1)
             for title, kind in (("without", "free"), ("within the budget", "held"))

@@ -124,6 +124,14 @@ def saved(knob, label):
     return f"{span(fixed, shares, 1)} %"
 
 
+def spared(knob, label):
+    """Per cent of the bytes, then of the energy, that one thing alone spares, over the scenes."""
+    found = [(base(scene), single(scene, knob, label)) for scene in TITLES]
+    moved = [100 * (1 - one.bytes / whole.bytes) for whole, one in found]
+    spent = [100 * (1 - energy(one.silicon)["mid"] / energy(whole.silicon)["mid"]) for whole, one in found]
+    return f"{span(fixed, moved, 1)} % of the bytes and {span(fixed, spent, 1)} % of the energy"
+
+
 def of_all(scene, knob, label):
     return share(scene, single(scene, knob, label))
 
