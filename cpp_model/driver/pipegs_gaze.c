@@ -69,6 +69,10 @@ static void add(struct parts *parts, uint32_t x0, uint32_t y0, uint32_t x1, uint
 
 /* What lies in the outer rectangle and not in the inner one: above, left, right, below. */
 static void add_ring(struct parts *parts, struct rectangle outer, struct rectangle inner, uint32_t pitch) {
+  if (inner.x0 == inner.x1 || inner.y0 == inner.y1) {
+    add(parts, outer.x0, outer.y0, outer.x1, outer.y1, pitch);
+    return;
+  }
   add(parts, outer.x0, outer.y0, outer.x1, inner.y0, pitch);
   add(parts, outer.x0, inner.y0, inner.x0, inner.y1, pitch);
   add(parts, inner.x1, inner.y0, outer.x1, inner.y1, pitch);
