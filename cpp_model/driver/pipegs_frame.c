@@ -176,7 +176,8 @@ static enum pipegs_setup set_lens(const struct pipegs_configuration *config, con
   const int begin = axis == 0 ? PIPEGS_SETUP_FOCAL_X : PIPEGS_SETUP_FOCAL_Y;
   uint64_t *const focal = axis == 0 ? &frame->lens_focal_x : &frame->lens_focal_y;
   uint64_t *const limit = axis == 0 ? &frame->lens_limit_x : &frame->lens_limit_y;
-  const uint32_t size = axis == 0 ? camera->width : camera->height, of = axis == 0 ? camera->of_width : camera->of_height;
+  const uint32_t size = axis == 0 ? camera->width : camera->height;
+  const uint32_t of = axis == 0 ? camera->of_width : camera->of_height;
   const uint32_t whole = of == 0 ? size : of;
   uint64_t *const spread = axis == 0 ? &frame->lens_spread_x : &frame->lens_spread_y;
   if (!unsigned_field(camera->focal[axis], (int)config->focal_w - FOCAL_BITS, config->focal_w, focal) || *focal == 0) {

@@ -30,9 +30,9 @@ struct pipegs_gaze_part {
 #define PIPEGS_GAZE_PARTS 9
 
 /* The parts of a camera's picture, the gaze first; their number. 0 when `half` is less than `full`, the picture has no
- * pixels, or the principal point lies 2^15 pixels off or more. Each is a job of its own (pipegs_place, pipegs_setup_job,
- * pipegs_setup_eyes with its camera), whose pixels lie where the caller puts them. A part's last column and row may
- * reach up to three pixels beyond the picture. */
+ * pixels, or the principal point lies 2^15 pixels off or more. Each is a job of its own (pipegs_place,
+ * pipegs_setup_job, pipegs_setup_eyes with its camera), whose pixels lie where the caller puts them. A part's last
+ * column and row may reach up to three pixels beyond the picture. */
 uint32_t pipegs_gaze_parts(const struct pipegs_camera *camera, const struct pipegs_gaze *gaze,
                            struct pipegs_gaze_part parts[PIPEGS_GAZE_PARTS]);
 

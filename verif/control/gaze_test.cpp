@@ -12,6 +12,7 @@
 #include "cpp_model/frame_setup.hpp"
 #include "scenes/generate/generate.hpp"
 #include "sim/compare/simulate.hpp"
+#include "verif/support/draws.hpp"
 
 namespace pipegs {
 namespace {
@@ -33,10 +34,11 @@ std::vector<int> cover(const Camera& whole, const std::vector<GazePart>& parts) 
 }
 
 TEST(Gaze, EachPixelLiesInOneSampleOfOnePart) {
-  std::mt19937 rng(1);
-  const auto any = [&](int low, int high) { return std::uniform_int_distribution<int>(low, high)(rng); };
+  std::mt19937_64 rng(1);
+  const auto any = [&](int low, int high) { return static_cast<int>(draw_integer(rng, low, high)); };
   for (int i = 0; i < 400; ++i) {
-    const Camera camera = camera_of(any(1, 300), any(1, 300));
+    const int width = any(1, 300), height = any(1, 300);
+    const Camera camera = camera_of(width, height);
     const int full = any(0, 200), half = full + any(0, 150);
     const Gaze gaze = {any(-100, 400), any(-100, 400), full, half};
     const std::vector<GazePart> parts = gaze_parts(camera, gaze);

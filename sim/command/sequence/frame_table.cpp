@@ -119,25 +119,13 @@ Table frames_table(const FrameTable& table) {
   add_columns(frames, quality);
   for (size_t i = 0; i < table.rows.size(); ++i) {
     const FrameRow& row = table.rows[i];
-    frames.rows.push_back({cell(i),
-                           {.text = fmt::format("{:.6g}", row.view), .value = row.view},
-                           text_cell(row.camera.name),
-                           number_cell(row.camera.width),
-                           number_cell(row.camera.height),
-                           row.sample ? number_cell(*row.sample) : TableCell{},
+    frames.rows.push_back({cell(i), view_cell(row.view), text_cell(row.camera.name), number_cell(row.camera.width),
+                           number_cell(row.camera.height), row.sample ? number_cell(*row.sample) : TableCell{},
                            row.rest ? number_cell(*row.rest) : TableCell{},
-                           row.lod_pixels ? number_cell(*row.lod_pixels) : TableCell{},
-                           cell(row.cycles),
-                           cell(row.gap_alone),
-                           cell(row.cycles_queued),
-                           cell(row.gap_queued),
-                           cell(row.mismatches),
-                           cell(row.bytes.read),
-                           cell(row.bytes.written),
-                           cell(kTime, row),
-                           cell(kChip, row),
-                           cell(kDram, row),
-                           row.steady ? number_cell(*row.steady) : TableCell{}});
+                           row.lod_pixels ? number_cell(*row.lod_pixels) : TableCell{}, cell(row.cycles),
+                           cell(row.gap_alone), cell(row.cycles_queued), cell(row.gap_queued), cell(row.mismatches),
+                           cell(row.bytes.read), cell(row.bytes.written), cell(kTime, row), cell(kChip, row),
+                           cell(kDram, row), row.steady ? number_cell(*row.steady) : TableCell{}});
     add_cells(frames.rows.back(), quality, i);
   }
   return frames;
@@ -198,6 +186,8 @@ std::vector<Camera> cameras_of(const std::vector<FrameRow>& rows) {
   for (const FrameRow& row : rows) cameras.push_back(row.camera);
   return cameras;
 }
+
+TableCell view_cell(double view) { return {.text = fmt::format("{:.6g}", view), .value = view}; }
 
 std::string frames_csv(const FrameTable& table) { return table_csv(frames_table(table)); }
 

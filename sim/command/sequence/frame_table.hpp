@@ -64,6 +64,9 @@ struct FrameTable {
   bool priced() const { return !rows.empty() && rows[0].cost.has_value(); }
 };
 
+// The number of a view, whole where it is.
+TableCell view_cell(double view);
+
 std::string frames_csv(const FrameTable& table);
 nlohmann::ordered_json to_json(const FrameTable& table);
 // One line; then the frames where they are few or all are wanted, percentiles, and how good the pictures are.

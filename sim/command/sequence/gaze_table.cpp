@@ -2,8 +2,6 @@
 // gaze_table.cpp: see gaze_table.hpp.
 #include "sim/command/sequence/gaze_table.hpp"
 
-#include <fmt/format.h>
-
 #include "sim/report/finite.hpp"
 
 namespace pipegs {
@@ -58,16 +56,10 @@ Table pictures_table(const FrameTable& table) {
                              {.key = "dram_uj", .heading = "uJ, DRAM", .digits = 1}}};
   const auto priced = [&](double value) { return table.priced() ? number_cell(value) : TableCell{}; };
   for (const Whole& one : wholes(table))
-    pictures.rows.push_back({{.text = fmt::format("{:.6g}", one.view), .value = one.view},
-                             count_cell(one.parts),
-                             count_cell(one.samples),
-                             count_cell(one.cycles),
-                             table.rtl() ? count_cell(one.queued) : TableCell{},
-                             count_cell(one.bytes.read),
-                             count_cell(one.bytes.written),
-                             priced(one.us),
-                             priced(one.chip_uj),
-                             priced(one.dram_uj)});
+    pictures.rows.push_back({view_cell(one.view), count_cell(one.parts), count_cell(one.samples),
+                             count_cell(one.cycles), table.rtl() ? count_cell(one.queued) : TableCell{},
+                             count_cell(one.bytes.read), count_cell(one.bytes.written), priced(one.us),
+                             priced(one.chip_uj), priced(one.dram_uj)});
   return pictures;
 }
 
@@ -86,13 +78,9 @@ Table rings_table(const FrameTable& table) {
       const auto decibels = [&](double GazeRing::Decibels::*one) {
         return ring.db ? number_cell((*ring.db).*one) : TableCell{};
       };
-      rings.rows.push_back({{.text = fmt::format("{:.6g}", views[i].view), .value = views[i].view},
-                            number_cell(ring.sample),
-                            number_cell(ring.from_degrees),
-                            count_cell(ring.pixels),
-                            decibels(&GazeRing::Decibels::repeated),
-                            decibels(&GazeRing::Decibels::smooth),
-                            decibels(&GazeRing::Decibels::mean)});
+      rings.rows.push_back({view_cell(views[i].view), number_cell(ring.sample), number_cell(ring.from_degrees),
+                            count_cell(ring.pixels), decibels(&GazeRing::Decibels::repeated),
+                            decibels(&GazeRing::Decibels::smooth), decibels(&GazeRing::Decibels::mean)});
     }
   }
   return rings;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// gaze_views.hpp: `pipegs sim --gaze X,Y,FULL,HALF`: each picture in parts, finer where the eye looks, and how good it is.
+// gaze_views.hpp: `pipegs sim --gaze X,Y,FULL,HALF`: pictures in parts, finer where the eye looks, and how good they
+// are.
 //
 // Idea    A part is a frame of its own (cpp_model/gaze_parts.hpp); all parts of a view make one picture, gaze_0000.png,
 //         smooth between samples. With --truth it is held against the float64 render of the whole view, in each of the
