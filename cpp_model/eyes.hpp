@@ -4,8 +4,8 @@
 // Paper   None: it renders for headsets, but one picture at a time.
 // Idea    Both eyes have one rotation and one lens and stand on both sides of the frame's position, so a Gaussian has
 //         one depth, one key and one place in the order for both. In view space the first eye sees everything half the
-//         distance further to the right, the second one to the left. What is only to find out whether something can be
-//         seen at all (nodes) is asked for all places between the eyes.
+//         distance further to the right, the second one to the left. A node is sent where either of them may see it
+//         (dopu_test).
 // Round   Half the distance to nearest in the unit of a chunk's view space, once for both.
 #pragma once
 

@@ -151,8 +151,9 @@ package pipegs_pkg;
   localparam int unsigned EyesW          = 0;  // one bit for each; absent likewise
   // half the distance between the eyes, signed, world units; absent likewise
   localparam int unsigned HalfEyeW       = 0;
-  localparam int unsigned EyeReachW      = 0;  // the same along a world axis, unsigned; absent likewise
-  localparam int unsigned BoxReachW      = 1;  // the same where there may be none: 0 then
+  localparam int unsigned EyeReachW      = 0;  // the same as a scale; absent likewise
+  // what a test of nodes knows of the eyes: length, reach_y, reach_x; of one eye 0
+  localparam int unsigned TestEyesW      = 1;
   // what a cull knows of the eyes: which are wanted, half_y, half_x; of one eye 0
   localparam int unsigned SeenEyesW      = 4;
   localparam int unsigned EyeLengthW     = 0;  // bits of such a distance; absent likewise
@@ -1401,7 +1402,7 @@ package pipegs_pkg;
     48'h0084_10030e52,  // CONFIG_POINT
     48'h0080_10048004,  // CONFIG_COUNTS
     48'h000c_fcf4ac30,  // CONFIG_HASH
-    48'h0008_798d1f9d,  // LAYOUT
+    48'h0008_57b8160a,  // LAYOUT
     48'h0004_00030002,  // VERSION
     48'h0000_47504950  // ID
   };
@@ -1417,7 +1418,7 @@ package pipegs_pkg;
   // offset of its low word (16 bits), lowest bit of its value in what is queued (16), width of the value (8),
   // bit of the slot at which it begins (8), 1 if it is signed (8)}.
   localparam int unsigned ControlShadowBits = 1605;
-  localparam int unsigned ControlSlots = 74;
+  localparam int unsigned ControlSlots = 73;
   localparam logic [ControlSlots*56-1:0] ControlSlotTable = {
     56'h0490_0639_0c_06_00,  // stride
     56'h0488_0617_22_06_00,  // base
@@ -1430,48 +1431,47 @@ package pipegs_pkg;
     56'h0410_054a_22_06_00,  // chunks
     56'h0408_0528_22_06_00,  // groups
     56'h0400_0506_22_06_00,  // cells
-    56'h03f0_04ee_18_00_00,  // walk_most
-    56'h03e8_04ee_00_00_00,  // lod
-    56'h03e0_04ee_00_06_00,  // raster.aovs.lines
-    56'h03d8_04ee_00_06_00,  // raster.aovs.base
-    56'h03d0_04ee_00_00_00,  // raster.aovs.range
-    56'h03c8_04ee_00_00_00,  // raster.aovs.wanted
-    56'h03c0_04ee_00_06_00,  // raster.eye_lines
-    56'h03b8_04ee_00_00_00,  // raster.eyes
-    56'h03b0_04dc_12_00_00,  // raster.rest
-    56'h03a8_04d2_0a_00_00,  // raster.windows.last_y
-    56'h03a0_04c8_0a_00_00,  // raster.windows.last_x
-    56'h0398_04be_0a_00_00,  // raster.windows.first_y
-    56'h0390_04b4_0a_00_00,  // raster.windows.first_x
-    56'h0388_04a5_0f_00_00,  // raster.height
-    56'h0380_0496_0f_00_00,  // raster.width
-    56'h0378_0474_22_06_00,  // tables.overflow
-    56'h0370_0452_22_06_00,  // tables.pixels
-    56'h0368_0452_00_00_00,  // tables.antialias
-    56'h0360_0450_02_00_00,  // tables.sh_degree
-    56'h0358_042e_22_06_00,  // tables.colors
-    56'h0350_040c_22_06_00,  // tables.gaussians
-    56'h0348_03ea_22_06_00,  // tables.chunks
-    56'h0340_03c8_22_06_00,  // tables.groups
-    56'h0338_03a6_22_06_00,  // tables.cells
-    56'h0330_038a_1c_00_00,  // grid.scale_z
-    56'h0328_036e_1c_00_00,  // grid.scale_y
-    56'h0320_0352_1c_00_00,  // grid.scale_x
-    56'h0318_032a_28_00_01,  // grid.low.z
-    56'h0310_0302_28_00_01,  // grid.low.y
-    56'h0308_02da_28_00_01,  // grid.low.x
-    56'h0300_02b2_28_00_00,  // lens.near_plane
-    56'h02f8_02a5_0d_00_00,  // lens.spread_y
-    56'h02f0_0298_0d_00_00,  // lens.spread_x
-    56'h02e8_0278_20_00_00,  // lens.reach_y
-    56'h02e0_0258_20_00_00,  // lens.reach_x
-    56'h02d8_023d_1b_00_00,  // lens.limit_y
-    56'h02d0_0222_1b_00_00,  // lens.limit_x
-    56'h02c8_0206_1c_00_01,  // lens.center_y
-    56'h02c0_01ea_1c_00_01,  // lens.center_x
-    56'h02b8_01ce_1c_00_00,  // lens.focal_y
-    56'h02b0_01b2_1c_00_00,  // lens.focal_x
-    56'h02a8_01b2_00_00_00,  // eyes.reach_z
+    56'h03e8_04ee_18_00_00,  // walk_most
+    56'h03e0_04ee_00_00_00,  // lod
+    56'h03d8_04ee_00_06_00,  // raster.aovs.lines
+    56'h03d0_04ee_00_06_00,  // raster.aovs.base
+    56'h03c8_04ee_00_00_00,  // raster.aovs.range
+    56'h03c0_04ee_00_00_00,  // raster.aovs.wanted
+    56'h03b8_04ee_00_06_00,  // raster.eye_lines
+    56'h03b0_04ee_00_00_00,  // raster.eyes
+    56'h03a8_04dc_12_00_00,  // raster.rest
+    56'h03a0_04d2_0a_00_00,  // raster.windows.last_y
+    56'h0398_04c8_0a_00_00,  // raster.windows.last_x
+    56'h0390_04be_0a_00_00,  // raster.windows.first_y
+    56'h0388_04b4_0a_00_00,  // raster.windows.first_x
+    56'h0380_04a5_0f_00_00,  // raster.height
+    56'h0378_0496_0f_00_00,  // raster.width
+    56'h0370_0474_22_06_00,  // tables.overflow
+    56'h0368_0452_22_06_00,  // tables.pixels
+    56'h0360_0452_00_00_00,  // tables.antialias
+    56'h0358_0450_02_00_00,  // tables.sh_degree
+    56'h0350_042e_22_06_00,  // tables.colors
+    56'h0348_040c_22_06_00,  // tables.gaussians
+    56'h0340_03ea_22_06_00,  // tables.chunks
+    56'h0338_03c8_22_06_00,  // tables.groups
+    56'h0330_03a6_22_06_00,  // tables.cells
+    56'h0328_038a_1c_00_00,  // grid.scale_z
+    56'h0320_036e_1c_00_00,  // grid.scale_y
+    56'h0318_0352_1c_00_00,  // grid.scale_x
+    56'h0310_032a_28_00_01,  // grid.low.z
+    56'h0308_0302_28_00_01,  // grid.low.y
+    56'h0300_02da_28_00_01,  // grid.low.x
+    56'h02f8_02b2_28_00_00,  // lens.near_plane
+    56'h02f0_02a5_0d_00_00,  // lens.spread_y
+    56'h02e8_0298_0d_00_00,  // lens.spread_x
+    56'h02e0_0278_20_00_00,  // lens.reach_y
+    56'h02d8_0258_20_00_00,  // lens.reach_x
+    56'h02d0_023d_1b_00_00,  // lens.limit_y
+    56'h02c8_0222_1b_00_00,  // lens.limit_x
+    56'h02c0_0206_1c_00_01,  // lens.center_y
+    56'h02b8_01ea_1c_00_01,  // lens.center_x
+    56'h02b0_01ce_1c_00_00,  // lens.focal_y
+    56'h02a8_01b2_1c_00_00,  // lens.focal_x
     56'h02a0_01b2_00_00_00,  // eyes.reach_y
     56'h0298_01b2_00_00_00,  // eyes.reach_x
     56'h0290_01b2_00_00_00,  // eyes.length

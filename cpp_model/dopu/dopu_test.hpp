@@ -5,8 +5,10 @@
 // Idea    The box is that of the means or of the ellipsoids (dopu_hull.hpp). Of its corners the farthest one along
 //         a plane's normal decides: n_i >= 0 takes the high side of axis i, else the low side, so a plane costs three
 //         products and one for reach * scale (near: -1 * near). Corners, scale and near are brought to one unit 2^e
-//         with which the largest fits TestW bits, and floored. Eyes that stand apart (eyes = 2) see what a camera in
-//         the middle would see in a box that reaches further by as much.
+//         with which the largest fits TestW bits, and floored. Eyes that stand apart (eyes = 2): half the way between
+//         them moves x by as much to the one side for one of them and to the other side for the other one, so each side
+//         plane moves out by focal * half, written as a scale whose reach that is (rounded up, so nothing is lost).
+//         Depths are those of the middle.
 // Bound   Flooring a corner loses under one unit times n_i, flooring n_i loses under one unit times the corner, the
 //         same for reach and scale: together at most 2^(TestW + 2), which is added before the sign is looked at. At a
 //         1000 px focal length about 0.07 px on the window's edges for a node ahead (estimate).
@@ -36,17 +38,15 @@ inline Corners dopu_test_corners(const Config& config, const Frame& frame, const
   const int64_t delta[3] = {node.center_x - frame.camera.position.x, node.center_y - frame.camera.position.y,
                             node.center_z - frame.camera.position.z};
   const uint64_t halves[3] = {node.half_x, node.half_y, node.half_z},
-                 downs[3] = {node.down_x, node.down_y, node.down_z}, ups[3] = {node.up_x, node.up_y, node.up_z},
-                 reaches[3] = {frame.eyes.reach_x, frame.eyes.reach_y, frame.eyes.reach_z};
+                 downs[3] = {node.down_x, node.down_y, node.down_z}, ups[3] = {node.up_x, node.up_y, node.up_z};
   const Hull hull = dopu_hull(config, node.scale_max, step);
   Corners box;
   box.scale = hull.scale;
   uint64_t magnitudes = 0;
   for (int i = 0; i < 3; ++i) {
-    const auto reach = static_cast<int64_t>(reaches[i]);
-    const auto half = static_cast<int64_t>(halves[i] << node.half_exp) + reach;
-    const auto down = static_cast<int64_t>(downs[i] << 1 << node.half_exp) + reach,
-               up = static_cast<int64_t>(ups[i] << 1 << node.half_exp) + reach;
+    const auto half = static_cast<int64_t>(halves[i] << node.half_exp);
+    const auto down = static_cast<int64_t>(downs[i] << 1 << node.half_exp),
+               up = static_cast<int64_t>(ups[i] << 1 << node.half_exp);
     const int64_t low = delta[i] - (hull.tight ? down : half), high = delta[i] + (hull.tight ? up : half);
     box.low[i] = low;
     box.high[i] = high;
@@ -55,7 +55,8 @@ inline Corners dopu_test_corners(const Config& config, const Frame& frame, const
     magnitudes |= static_cast<uint64_t>(low < 0 ? ~low : low) | static_cast<uint64_t>(high < 0 ? ~high : high);
   }
   const int scale_e = static_cast<int>(box.scale >> config.scale_m_w);
-  const int length = std::max(bit_length(magnitudes), scale_e - 7);  // scale < 2^(scale_e - 7)
+  int length = std::max(bit_length(magnitudes), scale_e - 7);  // scale < 2^(scale_e - 7)
+  if (frame.eyes.length != 0) length = std::max(length, static_cast<int>(frame.eyes.length)) + 1;  // of a sum of two
   box.exponent = std::max(0, length - (config.test_w() - 1));
   for (int i = 0; i < 3; ++i) {
     for (int64_t* corner : {&box.low[i], &box.high[i], &box.means_low[i], &box.means_high[i]})
@@ -82,12 +83,17 @@ inline unsigned dopu_test_planes(const Config& config, const Frame& frame, const
   const int64_t most = (int64_t{1} << (width - 1)) - 1;
   const int64_t near = std::min(most, shift_floor(static_cast<int64_t>(frame.lens.near_plane), box.exponent));
   const int64_t slack = dopu_test_slack(config);
+  const auto with_eyes = [&](uint64_t reach) {
+    return scale + (reach == 0 ? 0 : shift_floor(static_cast<int64_t>(reach), box.exponent) + 1);
+  };
+  const int64_t across = with_eyes(frame.eyes.reach_x), along = with_eyes(frame.eyes.reach_y);
+  const int64_t operands[kPlanes] = {near, across, across, along, along};
   unsigned passed = 0;
   for (int side = 0; side < kPlanes; ++side) {
     const Plane& p = planes[static_cast<size_t>(side)];
     const int64_t distance = p.nx * (p.nx >= 0 ? box.high[0] : box.low[0]) +
                              p.ny * (p.ny >= 0 ? box.high[1] : box.low[1]) +
-                             p.nz * (p.nz >= 0 ? box.high[2] : box.low[2]) + p.reach * (side == kNear ? near : scale);
+                             p.nz * (p.nz >= 0 ? box.high[2] : box.low[2]) + p.reach * operands[side];
     passed |= unsigned{distance + slack >= 0} << side;
   }
   return passed;

@@ -202,12 +202,12 @@ static uint32_t most_lists(const struct pipegs_configuration *config) {
   return UINT32_C(1) << (config->window == TILE ? TILE_LIST_WINDOW_W : LIST_WINDOW_W);
 }
 
-/* Of two products with entries of the rotation: what both reach along a world axis, a unit up. */
-static uint64_t along(const struct pipegs_configuration *config, int64_t right, int64_t x, int64_t down, int64_t y) {
-  const struct pipegs_wide sum =
-      pipegs_wide_add(pipegs_wide_multiply((uint64_t)(right < 0 ? -right : right), (uint64_t)(x < 0 ? -x : x)),
-                      pipegs_wide_multiply((uint64_t)(down < 0 ? -down : down), (uint64_t)(y < 0 ? -y : y)));
-  return pipegs_wide_right(sum, (int)config->rot_w - ROTATION_BITS).low + 1;
+/* The least scale whose reach is at least half the way between the eyes: |half| focal / reach, up. */
+static uint64_t eye_reach(int64_t half, uint64_t focal, uint64_t reach) {
+  uint64_t scale = 0;
+  if (half == 0) return 0;
+  (void)pipegs_wide_divide(pipegs_wide_multiply((uint64_t)(half < 0 ? -half : half), focal), reach, &scale);
+  return scale + 1; /* the reach is more than twice the focal length: less than half, and the quotient fits */
 }
 
 enum pipegs_setup pipegs_setup_eyes(const struct pipegs_configuration *config, const struct pipegs_scene *scene,
@@ -225,12 +225,8 @@ enum pipegs_setup pipegs_setup_eyes(const struct pipegs_configuration *config, c
   for (larger = (uint64_t)(x < 0 ? -x : x) | (uint64_t)(y < 0 ? -y : y); larger != 0; larger >>= 1) {
     ++frame->eyes_length;
   }
-  frame->eyes_reach_x = frame->eyes_reach_y = frame->eyes_reach_z = 0;
-  if (frame->eyes_length != 0) {
-    frame->eyes_reach_x = along(config, frame->camera_rotation_w00, x, frame->camera_rotation_w10, y);
-    frame->eyes_reach_y = along(config, frame->camera_rotation_w01, x, frame->camera_rotation_w11, y);
-    frame->eyes_reach_z = along(config, frame->camera_rotation_w02, x, frame->camera_rotation_w12, y);
-  }
+  frame->eyes_reach_x = eye_reach(x, frame->lens_focal_x, frame->lens_reach_x);
+  frame->eyes_reach_y = eye_reach(y, frame->lens_focal_y, frame->lens_reach_y);
   frame->raster_eyes = 3;
   frame->walk_most = (frame->walk_most + 1) / 2; /* a record for each eye */
   return PIPEGS_SETUP_OK;

@@ -22,7 +22,7 @@
 
 #define PIPEGS_LAYOUT 0x008u /* which table of registers this is */
 #define PIPEGS_LAYOUT_HASH 0xffffffffu /* FNV-1a of all names and places: the driver has the same */
-#define PIPEGS_LAYOUT_VALUE 0x798d1f9du
+#define PIPEGS_LAYOUT_VALUE 0x57b8160au
 
 #define PIPEGS_CONFIG_HASH 0x00cu /* which machine this is */
 #define PIPEGS_CONFIG_HASH_HASH 0xffffffffu /* FNV-1a of name=value; of every choice in config.def */
@@ -214,7 +214,7 @@
 #define PIPEGS_CONFIG_AOVS_HALF_EYE_W_SHIFT 16
 
 #define PIPEGS_FRAME 0x200u /* parameters of the frame, each field of frame_t */
-#define PIPEGS_FRAME_SLOTS 63
+#define PIPEGS_FRAME_SLOTS 62
 #define PIPEGS_FRAME_CAMERA_POSITION_X 0x200u
 #define PIPEGS_FRAME_CAMERA_POSITION_Y 0x208u
 #define PIPEGS_FRAME_CAMERA_POSITION_Z 0x210u
@@ -236,48 +236,47 @@
 #define PIPEGS_FRAME_EYES_LENGTH 0x290u
 #define PIPEGS_FRAME_EYES_REACH_X 0x298u
 #define PIPEGS_FRAME_EYES_REACH_Y 0x2a0u
-#define PIPEGS_FRAME_EYES_REACH_Z 0x2a8u
-#define PIPEGS_FRAME_LENS_FOCAL_X 0x2b0u
-#define PIPEGS_FRAME_LENS_FOCAL_Y 0x2b8u
-#define PIPEGS_FRAME_LENS_CENTER_X 0x2c0u
-#define PIPEGS_FRAME_LENS_CENTER_Y 0x2c8u
-#define PIPEGS_FRAME_LENS_LIMIT_X 0x2d0u
-#define PIPEGS_FRAME_LENS_LIMIT_Y 0x2d8u
-#define PIPEGS_FRAME_LENS_REACH_X 0x2e0u
-#define PIPEGS_FRAME_LENS_REACH_Y 0x2e8u
-#define PIPEGS_FRAME_LENS_SPREAD_X 0x2f0u
-#define PIPEGS_FRAME_LENS_SPREAD_Y 0x2f8u
-#define PIPEGS_FRAME_LENS_NEAR_PLANE 0x300u
-#define PIPEGS_FRAME_GRID_LOW_X 0x308u
-#define PIPEGS_FRAME_GRID_LOW_Y 0x310u
-#define PIPEGS_FRAME_GRID_LOW_Z 0x318u
-#define PIPEGS_FRAME_GRID_SCALE_X 0x320u
-#define PIPEGS_FRAME_GRID_SCALE_Y 0x328u
-#define PIPEGS_FRAME_GRID_SCALE_Z 0x330u
-#define PIPEGS_FRAME_TABLES_CELLS 0x338u
-#define PIPEGS_FRAME_TABLES_GROUPS 0x340u
-#define PIPEGS_FRAME_TABLES_CHUNKS 0x348u
-#define PIPEGS_FRAME_TABLES_GAUSSIANS 0x350u
-#define PIPEGS_FRAME_TABLES_COLORS 0x358u
-#define PIPEGS_FRAME_TABLES_SH_DEGREE 0x360u
-#define PIPEGS_FRAME_TABLES_ANTIALIAS 0x368u
-#define PIPEGS_FRAME_TABLES_PIXELS 0x370u
-#define PIPEGS_FRAME_TABLES_OVERFLOW 0x378u
-#define PIPEGS_FRAME_RASTER_WIDTH 0x380u
-#define PIPEGS_FRAME_RASTER_HEIGHT 0x388u
-#define PIPEGS_FRAME_RASTER_WINDOWS_FIRST_X 0x390u
-#define PIPEGS_FRAME_RASTER_WINDOWS_FIRST_Y 0x398u
-#define PIPEGS_FRAME_RASTER_WINDOWS_LAST_X 0x3a0u
-#define PIPEGS_FRAME_RASTER_WINDOWS_LAST_Y 0x3a8u
-#define PIPEGS_FRAME_RASTER_REST 0x3b0u
-#define PIPEGS_FRAME_RASTER_EYES 0x3b8u
-#define PIPEGS_FRAME_RASTER_EYE_LINES 0x3c0u
-#define PIPEGS_FRAME_RASTER_AOVS_WANTED 0x3c8u
-#define PIPEGS_FRAME_RASTER_AOVS_RANGE 0x3d0u
-#define PIPEGS_FRAME_RASTER_AOVS_BASE 0x3d8u
-#define PIPEGS_FRAME_RASTER_AOVS_LINES 0x3e0u
-#define PIPEGS_FRAME_LOD 0x3e8u
-#define PIPEGS_FRAME_WALK_MOST 0x3f0u
+#define PIPEGS_FRAME_LENS_FOCAL_X 0x2a8u
+#define PIPEGS_FRAME_LENS_FOCAL_Y 0x2b0u
+#define PIPEGS_FRAME_LENS_CENTER_X 0x2b8u
+#define PIPEGS_FRAME_LENS_CENTER_Y 0x2c0u
+#define PIPEGS_FRAME_LENS_LIMIT_X 0x2c8u
+#define PIPEGS_FRAME_LENS_LIMIT_Y 0x2d0u
+#define PIPEGS_FRAME_LENS_REACH_X 0x2d8u
+#define PIPEGS_FRAME_LENS_REACH_Y 0x2e0u
+#define PIPEGS_FRAME_LENS_SPREAD_X 0x2e8u
+#define PIPEGS_FRAME_LENS_SPREAD_Y 0x2f0u
+#define PIPEGS_FRAME_LENS_NEAR_PLANE 0x2f8u
+#define PIPEGS_FRAME_GRID_LOW_X 0x300u
+#define PIPEGS_FRAME_GRID_LOW_Y 0x308u
+#define PIPEGS_FRAME_GRID_LOW_Z 0x310u
+#define PIPEGS_FRAME_GRID_SCALE_X 0x318u
+#define PIPEGS_FRAME_GRID_SCALE_Y 0x320u
+#define PIPEGS_FRAME_GRID_SCALE_Z 0x328u
+#define PIPEGS_FRAME_TABLES_CELLS 0x330u
+#define PIPEGS_FRAME_TABLES_GROUPS 0x338u
+#define PIPEGS_FRAME_TABLES_CHUNKS 0x340u
+#define PIPEGS_FRAME_TABLES_GAUSSIANS 0x348u
+#define PIPEGS_FRAME_TABLES_COLORS 0x350u
+#define PIPEGS_FRAME_TABLES_SH_DEGREE 0x358u
+#define PIPEGS_FRAME_TABLES_ANTIALIAS 0x360u
+#define PIPEGS_FRAME_TABLES_PIXELS 0x368u
+#define PIPEGS_FRAME_TABLES_OVERFLOW 0x370u
+#define PIPEGS_FRAME_RASTER_WIDTH 0x378u
+#define PIPEGS_FRAME_RASTER_HEIGHT 0x380u
+#define PIPEGS_FRAME_RASTER_WINDOWS_FIRST_X 0x388u
+#define PIPEGS_FRAME_RASTER_WINDOWS_FIRST_Y 0x390u
+#define PIPEGS_FRAME_RASTER_WINDOWS_LAST_X 0x398u
+#define PIPEGS_FRAME_RASTER_WINDOWS_LAST_Y 0x3a0u
+#define PIPEGS_FRAME_RASTER_REST 0x3a8u
+#define PIPEGS_FRAME_RASTER_EYES 0x3b0u
+#define PIPEGS_FRAME_RASTER_EYE_LINES 0x3b8u
+#define PIPEGS_FRAME_RASTER_AOVS_WANTED 0x3c0u
+#define PIPEGS_FRAME_RASTER_AOVS_RANGE 0x3c8u
+#define PIPEGS_FRAME_RASTER_AOVS_BASE 0x3d0u
+#define PIPEGS_FRAME_RASTER_AOVS_LINES 0x3d8u
+#define PIPEGS_FRAME_LOD 0x3e0u
+#define PIPEGS_FRAME_WALK_MOST 0x3e8u
 
 #define PIPEGS_AREAS 0x400u /* sizes of what lies at the addresses of the frame */
 #define PIPEGS_AREAS_SLOTS 8
@@ -425,9 +424,9 @@ struct pipegs_frame {
   int64_t eyes_half_x;
   int64_t eyes_half_y; /* likewise down */
   uint64_t eyes_length; /* bits of the larger one's magnitude; 0: the eyes are one */
-  uint64_t eyes_reach_x; /* of both along a world axis, rounded up */
-  uint64_t eyes_reach_y; /* of both along a world axis, rounded up */
-  uint64_t eyes_reach_z; /* of both along a world axis, rounded up */
+  /* scale by which a window's left and right planes move out for both: >= |half_x| fx / lens.reach_x */
+  uint64_t eyes_reach_x;
+  uint64_t eyes_reach_y; /* likewise top and bottom */
   uint64_t lens_focal_x; /* u14.14 pixel */
   uint64_t lens_focal_y; /* u14.14 pixel */
   int64_t lens_center_x; /* s15.12 pixel; pixel i has its centre at i */

@@ -21,7 +21,7 @@ module dopu_descend #(
   input  logic                                  awake_i,  // the unit's clock does not stand, or would not
 
   input  pipegs_pkg::position_t                 position_i,
-  input  logic [3*pipegs_pkg::BoxReachW-1:0]    eye_reach_i,  // z, y, x: of both eyes along the world axes
+  input  logic [pipegs_pkg::TestEyesW-1:0]        test_eyes_i,  // length, reach_y, reach_x of both; one eye: 0
   input  logic [pipegs_pkg::WorldW-1:0]         near_plane_i,
   input  pipegs_pkg::span_t                     groups_i,  // the tables
   input  pipegs_pkg::span_t                     chunks_i,
@@ -110,7 +110,7 @@ module dopu_descend #(
     .rst_ni,
     .awake_i,
     .position_i,
-    .eye_reach_i,
+    .test_eyes_i,
     .near_plane_i,
     .planes_i,
     .node_valid_i(test_valid),

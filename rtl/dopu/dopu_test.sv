@@ -4,8 +4,8 @@
 // Paper   Sec. 4.1.
 // Idea    The corner of the box farthest along a plane's normal decides: three products, one more for reach * scale.
 //         Corners, scale and near distance share one block exponent; what flooring takes away is given back as a
-//         constant Slack. The box is that of the means or, with TightBoxes, that of the ellipsoids (dopu_hull); with
-//         eyes that stand apart it reaches further by as much.
+//         constant Slack. The box is that of the means or, with TightBoxes, that of the ellipsoids (dopu_hull). Eyes
+//         that stand apart move the side planes out, each by a scale's reach.
 // Stream  node: a node, the set of planes to use (each side plane may become a tighter one while the node is inside), a
 //         tag. result: node, tag, pass; it has no ready: the caller asks only for what it can take.
 //         nearest (with watermarks, else 0): in units of 2^(exponent - 18) world units no Gaussian of the node is
@@ -27,7 +27,7 @@ module dopu_test #(
   input  logic                                  awake_i,  // the unit's clock does not stand, or would not
 
   input  pipegs_pkg::position_t                 position_i,
-  input  logic [3*pipegs_pkg::BoxReachW-1:0]    eye_reach_i,  // z, y, x: of both eyes along the world axes
+  input  logic [pipegs_pkg::TestEyesW-1:0]      test_eyes_i,  // length, reach_y, reach_x of both; one eye: 0
   input  logic [pipegs_pkg::WorldW-1:0]         near_plane_i,
   input  logic [2*5*pipegs_pkg::PlaneBits-1:0]  planes_i,  // two sets: near, left, right, top, bottom
 
@@ -54,7 +54,7 @@ module dopu_test #(
   localparam int unsigned ScaleMW = pipegs_pkg::ScaleMW;
   localparam int unsigned ScaleEW = pipegs_pkg::ScaleEW;
   localparam int unsigned PlaneBits = pipegs_pkg::PlaneBits;
-  localparam int unsigned CornerW = WorldW + 2 + (pipegs_pkg::Eyes > 1 ? 1 : 0);
+  localparam int unsigned CornerW = WorldW + 2;
   localparam int unsigned ProductW = 2 * TestW;
   localparam int unsigned SumW = ProductW + 2;
   localparam int unsigned StageW = pipegs_pkg::NodeBits + TagW + 1;
@@ -93,7 +93,7 @@ module dopu_test #(
   pipegs_pkg::node_t          node0, node1;
   logic signed [WorldW-1:0]   center, camera;
   logic [pipegs_pkg::HalfW-1:0] half, down, up;  // of the means; of the box that counts
-  logic signed [CornerW-1:0]  delta, low, high, reach;  // reach: of both eyes
+  logic signed [CornerW-1:0]  delta, low, high;
   logic [CornerW-1:0]         magnitude, magnitudes_q;
   logic signed [CornerW-1:0]  low_q [4];   // delay until the exponent is known
   logic signed [CornerW-1:0]  high_q [4];
@@ -106,17 +106,9 @@ module dopu_test #(
       default: begin center = node0.center_z; camera = position_i.z; half = node0.half_z; end
     endcase
   end
-  if (pipegs_pkg::Eyes > 1) begin : gen_eyes
-    localparam int unsigned ReachW = pipegs_pkg::BoxReachW;
-    assign reach = CornerW'({1'b0, eye_reach_i[ReachW*32'(phase_q) +: ReachW]});
-  end else begin : gen_one_eye
-    assign reach = '0;
-    logic unused_reach;
-    assign unused_reach = ^eye_reach_i;
-  end
   assign delta     = CornerW'(center) - CornerW'(camera);
-  assign low       = delta - (CornerW'({1'b0, down}) <<< node0.half_exp) - reach;
-  assign high      = delta + (CornerW'({1'b0, up}) <<< node0.half_exp) + reach;
+  assign low       = delta - (CornerW'({1'b0, down}) <<< node0.half_exp);
+  assign high      = delta + (CornerW'({1'b0, up}) <<< node0.half_exp);
   assign magnitude = (low[CornerW-1] ? ~low : low) | (high[CornerW-1] ? ~high : high);
 
   always_ff @(posedge clk_i) begin
@@ -134,7 +126,7 @@ module dopu_test #(
   // --- slot 1, phase 0: the block exponent; then the corners through two shifters ---------------------------------
   logic [$clog2(CornerW+1)-1:0] corner_length;
   logic [ExpW:0]             length;
-  logic [ExpW-1:0]           exponent_d, exponent_q;
+  logic [ExpW-1:0]           exponent_d, exponent_q, eyes_length;
   logic [ScaleEW-1:0]        scale_e;
   logic [pipegs_pkg::ScaleW-1:0] scale1;
   logic signed [CornerW-1:0] low_wide, high_wide;
@@ -149,6 +141,7 @@ module dopu_test #(
   always_comb begin
     length = (ExpW+1)'(corner_length);
     if ((ExpW+1)'(scale_e) > length + (ExpW+1)'(ScaleBias)) length = (ExpW+1)'(scale_e) - (ExpW+1)'(ScaleBias);
+    if (eyes_length != '0) length = ((ExpW+1)'(eyes_length) > length ? (ExpW+1)'(eyes_length) : length) + 1'b1;
     exponent_d = length > (ExpW+1)'(TestW - 1) ? ExpW'(length - (ExpW+1)'(TestW - 1)) : '0;
   end
   assign low_wide  = low_q[3] >>> exponent_q;
@@ -184,8 +177,36 @@ module dopu_test #(
     if (phase_q == 2'd2) near_cut_q <= near_wide[WorldW-1:TestW-1] != '0 ? '1 : near_wide[TestW-2:0];
   end
 
+  // With two eyes the side planes move out: a scale for left and right, another one for top and bottom.
+  logic [TestW-2:0] across_cut, along_cut;  // with the scale; phase 0 takes them
+  if (pipegs_pkg::Eyes > 1) begin : gen_eyes
+    localparam int unsigned ReachW = pipegs_pkg::EyeReachW;
+    logic [ReachW-1:0] reach, reach_wide;
+    logic [TestW-2:0]  reach_cut_q, sum, across_cut_q;
+    logic              apart_q;
+    assign eyes_length = test_eyes_i[2*ReachW +: ExpW];
+    assign reach       = phase_q == 2'd1 ? test_eyes_i[0 +: ReachW] : test_eyes_i[ReachW +: ReachW];
+    assign reach_wide  = reach >> exponent_q;
+    assign sum         = scale_cut_q + reach_cut_q + (TestW-1)'(apart_q);  // rounded up
+    always_ff @(posedge clk_i) begin
+      {reach_cut_q, apart_q} <= {reach_wide[TestW-2:0], reach != '0};
+      if (phase_q == 2'd2) across_cut_q <= sum;
+    end
+    assign across_cut = across_cut_q;
+    assign along_cut  = sum;
+    logic unused_reach;  // bits that the exponent leaves 0
+    assign unused_reach = ^reach_wide[ReachW-1:TestW-1];
+  end else begin : gen_one_eye
+    assign eyes_length = '0;
+    assign across_cut  = scale_cut_q;
+    assign along_cut   = scale_cut_q;
+    logic unused_eyes;
+    assign unused_eyes = ^test_eyes_i;
+  end
+
   // --- slot 2, phase 0: z comes out of the shifter; all corners stand for three cycles ------------------------------
-  logic signed [TestW-1:0] low_x_q, high_x_q, low_y_q, high_y_q, low_z_q, high_z_q, scale_q, near_q;
+  logic signed [TestW-1:0] low_x_q, high_x_q, low_y_q, high_y_q, low_z_q, high_z_q;
+  logic signed [TestW-1:0] across_q, along_q, near_q;  // beside the reach: of left and right, top and bottom, near
   logic                    set_q;
 
   always_ff @(posedge clk_i) begin
@@ -196,7 +217,8 @@ module dopu_test #(
       high_y_q <= high_y_cut_q;
       low_z_q  <= low_cut;
       high_z_q <= high_cut;
-      scale_q  <= {1'b0, scale_cut_q};
+      across_q <= {1'b0, across_cut};
+      along_q  <= {1'b0, along_cut};
       near_q   <= {1'b0, near_cut_q};
       set_q    <= slot2_q[StageW-1];
     end
@@ -210,7 +232,7 @@ module dopu_test #(
   logic [1:0]                 first_q, second_q, third_q;  // phases 1, 2 and 0, of either set
   logic                       nearest;    // phase 0: plane b is the near plane's normal, of the corner nearest to it
   pipegs_pkg::plane_t         plane_a, plane_b;
-  logic signed [TestW-1:0]    operand_a;
+  logic signed [TestW-1:0]    operand_a, operand_b;
   logic signed [ProductW-1:0] ax_q, ay_q, az_q, ar_q, bx_q, by_q, bz_q, br_q;
   logic signed [SumW-1:0]     corner_a, sum_a, sum_b;
   logic                       outside, outside_q;
@@ -236,7 +258,8 @@ module dopu_test #(
     end
   end
   assign nearest   = Ranks && third_q != '0;
-  assign operand_a = first_q != '0 ? near_q : scale_q;
+  assign operand_a = first_q != '0 ? near_q : second_q != '0 ? across_q : along_q;
+  assign operand_b = first_q != '0 ? across_q : along_q;
 
   // --- which box counts; the corner of the means that is nearest to the near plane -----------------------------------
   logic signed [TestW-1:0] nearest_x, nearest_y, nearest_z;
@@ -265,7 +288,7 @@ module dopu_test #(
       endcase
       if (!tight_q) {down, up} = {half, half};
     end
-    assign extent      = (CornerW'({1'b0, half}) <<< node0.half_exp) + reach;
+    assign extent      = CornerW'({1'b0, half}) <<< node0.half_exp;
     assign corner      = ahead ? delta - extent : delta + extent;
     assign corner_wide = corner_q[3] >>> exponent_q;
     assign cut         = corner_wide[TestW-1:0];
@@ -309,7 +332,7 @@ module dopu_test #(
     bx_q <= ProductW'(plane_b.nx) * ProductW'(far_bx);
     by_q <= ProductW'(plane_b.ny) * ProductW'(far_by);
     bz_q <= ProductW'(plane_b.nz) * ProductW'(far_bz);
-    br_q <= nearest ? '0 : ProductW'(plane_b.reach) * ProductW'(scale_q);
+    br_q <= nearest ? '0 : ProductW'(plane_b.reach) * ProductW'(operand_b);
   end
 
   assign corner_a = SumW'(ax_q) + SumW'(ay_q) + SumW'(az_q) + Slack;
@@ -327,9 +350,9 @@ module dopu_test #(
   // --- the depth of the nearest corner, what roundings may take off, and its unit -----------------------------------
   if (Ranks) begin : gen_nearest
     localparam int unsigned ViewW = pipegs_pkg::ViewW;
-    localparam int unsigned PosW = pipegs_pkg::PosW;
     localparam int unsigned Boxes = ViewW < 24 ? 24 - ViewW : 0;
-    localparam int unsigned Offsets = PosW + 2 > ViewW ? PosW + 2 - ViewW : 0;
+    localparam int unsigned MoreW = pipegs_pkg::PosW + (pipegs_pkg::Eyes > 1 ? 3 : 2);
+    localparam int unsigned Offsets = MoreW > ViewW ? MoreW - ViewW : 0;
     localparam int unsigned Rounding = Boxes > Offsets ? Boxes : Offsets;
     localparam int unsigned NormalF = pipegs_pkg::RotF - (pipegs_pkg::RotW - TestW);
     localparam logic signed [SumW-1:0] Lost = Slack + (SumW'(1) <<< (TestW + 1)) + (SumW'(1) <<< (Rounding + NormalF));

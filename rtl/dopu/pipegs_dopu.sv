@@ -190,13 +190,13 @@ module pipegs_dopu (
     assign lod = '0;
   end
 
-  logic [3*pipegs_pkg::BoxReachW-1:0] eye_reach;
+  logic [pipegs_pkg::TestEyesW-1:0]   test_eyes;
   logic [pipegs_pkg::ExpW-1:0]        eye_length;
   if (pipegs_pkg::Eyes > 1) begin : gen_eyes
-    assign eye_reach  = {frame_i.eyes.reach_z, frame_i.eyes.reach_y, frame_i.eyes.reach_x};
+    assign test_eyes  = {frame_i.eyes.length, frame_i.eyes.reach_y, frame_i.eyes.reach_x};
     assign eye_length = frame_i.eyes.length;
   end else begin : gen_one_eye
-    assign eye_reach  = '0;
+    assign test_eyes  = '0;
     assign eye_length = '0;
   end
   dopu_chunks u_chunks (
@@ -204,7 +204,7 @@ module pipegs_dopu (
     .rst_ni,
     .awake_i(awake),
     .position_i(frame_i.camera.position),
-    .eye_reach_i(eye_reach),
+    .test_eyes_i(test_eyes),
     .near_plane_i(frame_i.lens.near_plane),
     .lod_i(lod),
     .groups_i({areas_i.groups, frame_i.tables.groups}),

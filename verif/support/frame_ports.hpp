@@ -51,12 +51,15 @@ void write_frame(const Config& config, Dut& dut, const Frame& frame, const Areas
   SPAN_PORT(overflow_i, overflow)
   FIELD_PORT(sh_degree_i, tables.sh_degree)
   FIELD_PORT(pixels_i, tables.pixels)
-  if constexpr (requires { dut.eye_reach_i; }) {
-    const uint64_t reaches[3] = {frame.eyes.reach_x, frame.eyes.reach_y, frame.eyes.reach_z};
+  if constexpr (requires { dut.test_eyes_i; }) {
     Words words(8);
-    for (int axis = 0; axis < 3; ++axis)
-      put_bits(words.data(), axis * config.box_reach_w(), config.box_reach_w(), reaches[axis]);
-    write_port(dut.eye_reach_i, words.data());
+    const int width = config.eye_reach_w();
+    if (config.eyes > 1) {
+      put_bits(words.data(), 0, width, frame.eyes.reach_x);
+      put_bits(words.data(), width, width, frame.eyes.reach_y);
+      put_bits(words.data(), 2 * width, config.exp_w(), frame.eyes.length);
+    }
+    write_port(dut.test_eyes_i, words.data());
   }
   HALF_PORT(half_x_i, eyes.half_x)
   HALF_PORT(half_y_i, eyes.half_y)

@@ -16,7 +16,8 @@
 //           an offset unit half as large would not have fitted: half >= 2^(PosW + offset_exp - 3), and half <= 2^M. So
 //           view_exp = max(0, L + 2 - ViewW) <= max(0, M + 5 - ViewW, PosW + 2 - ViewW). As u >= 2^(M - 19), u >= 1:
 //           2^view_exp <= u 2^max(0, 24 - ViewW, PosW + 2 - ViewW). M and u of a parent are not smaller than those of
-//           its children.
+//           its children. With eyes apart M is at least the bits of half the way between them, and u and 2^view_exp
+//           are twice as large; u may be 1 all the same, so PosW + 3 there.
 //         3 A Gaussian behind the near plane is culled, so z > near, and the key is monotone in z: it is z cut to a
 //           float. So with z >= B = sum - 2^21 - rounding: key(z) >= key(max(B, near)) >= edge of the bucket.
 // RTL     rtl/dopu/nearest/dopu_depth.sv, the sum in dopu_test.sv
@@ -34,7 +35,7 @@ inline constexpr int kNormalF = 18;  // fraction of the near plane's normal: Rot
 
 // What the sum of products loses to roundings at most, unit 2^(exponent - kNormalF) world units.
 inline int64_t dopu_depth_slack(const Config& config) {
-  const int rounding = std::max({0, 24 - config.view_w, config.pos_w + 2 - config.view_w});
+  const int rounding = std::max({0, 24 - config.view_w, config.pos_w + (config.eyes > 1 ? 3 : 2) - config.view_w});
   return (int64_t{1} << (config.test_w() + 1)) + (int64_t{1} << (rounding + kNormalF));
 }
 

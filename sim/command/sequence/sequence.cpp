@@ -305,13 +305,13 @@ void SequenceArguments::add(CLI::App& app) {
            [this](const std::string& text) { budget = parse_cycles(text); });
   add_counts(
       app, "--gaze", gaze,
-      "of a sequence: samples of a pixel up to FULL pixels from X,Y, of 2x2 up to HALF, of 4x4 farther out, each "
-      "ring in frames of its own",
+      "samples of a pixel up to FULL pixels from X,Y, of 2x2 up to HALF, of 4x4 farther out: a sequence of frames, "
+      "nine at most for a view",
       "X,Y,FULL,HALF", kMaxImageSide);
 }
 
 void SequenceArguments::check(const CLI::App& command, const std::string& out) const {
-  for (const char* option : {"--frames", "--truth", "--budget", "--gaze"}) {
+  for (const char* option : {"--frames", "--truth", "--budget"}) {
     if (!wanted() && is_given(command, option))
       throw ConfigError(fmt::format("{}: found one frame, expected --views or --path", option));
   }
@@ -332,7 +332,8 @@ void SequenceArguments::check(const CLI::App& command, const std::string& out) c
       throw ConfigError(fmt::format("--frames: found {}, expected png, exr or none alone", quote(kind)));
   }
   for (const char* option : {"--effects", "--view", "--netlist"}) {
-    if (is_given(command, option)) throw ConfigError(fmt::format("{}: found a sequence, expected one view", option));
+    if (is_given(command, option) && (several() || option != std::string("--view")))
+      throw ConfigError(fmt::format("{}: found a sequence, expected one view", option));
   }
   try_folder("--out", out,
              {"sequence.json", "frames.csv", "frame_0000.png", "frame_0000.exr", "viewer.html", "sequence.html"});
@@ -340,11 +341,14 @@ void SequenceArguments::check(const CLI::App& command, const std::string& out) c
 
 int run_sequence(const ViewArguments& view, const SequenceArguments& sequence, const PictureArguments& picture,
                  const SimulateOptions& options, const SequenceRunArguments& run) {
-  if (view.eye_views) throw ConfigError("--stereo: found two views, expected the way between the eyes of a sequence");
+  if (view.eye_views && sequence.several())
+    throw ConfigError("--stereo: found two views, expected the way between the eyes of a sequence");
   const LoadedView loaded = load_view(view);
   SimulateOptions simulated = options;
   follow_scene(loaded, simulated);
-  std::vector<FrameRow> rows = views_of(loaded.cameras, sequence.views);
+  std::vector<FrameRow> rows;
+  if (sequence.several()) rows = views_of(loaded.cameras, sequence.views);
+  else rows = {{.view = static_cast<double>(view.view), .camera = loaded.camera}};
   if (sequence.path > 0) rows = path_of(rows, sequence.path);
   loaded.told->tell(check_views(loaded.scene, cameras_of(rows), simulated.near_plane));
   FrameFilesOptions files = files_of(sequence, run.out);

@@ -6,7 +6,7 @@
 //         machine is empty, and every beat and pixel is compared. With --no-rtl the golden model draws and the timing
 //         model counts, frame by frame: for hundreds of frames, and a run that was stopped goes on where it was. With
 //         --budget the driver (pipegs_budget.h) chooses what each frame gives up by what the last one took. With --gaze
-//         each view is a picture in parts (gaze_views.hpp), which are frames.
+//         each view, or the one of --view, is a picture in parts (gaze_views.hpp), which are frames.
 // Writes  Pictures (frame_files.hpp), sequence.json, frames.csv; sequence.html with --page; kept/ with --no-rtl.
 #pragma once
 
@@ -31,7 +31,8 @@ struct SequenceArguments {
   std::vector<int> gaze;  // x, y, full, half as in Gaze; nothing: each view is one frame
 
   void add(CLI::App& app);
-  bool wanted() const { return !views.empty() || path > 0; }
+  bool wanted() const { return several() || !gaze.empty(); }
+  bool several() const { return !views.empty() || path > 0; }  // else, with a gaze, the one of --view
   // ConfigError: what cannot be written, or belongs to a sequence when none is wanted.
   void check(const CLI::App& command, const std::string& out) const;
 };
