@@ -11,6 +11,7 @@
 
 #include <vector>
 
+#include "cpp_model/dopu/walk.hpp"
 #include "cpp_model/fixed.hpp"
 #include "cpp_model/records.hpp"
 
@@ -26,6 +27,15 @@ inline std::vector<int> wanted_eyes(const Config& c, const Frame& frame) {
     if (wants_eye(c, frame, eye)) wanted.push_back(eye);
   }
   return wanted;
+}
+
+// Of those, whom a walk is for.
+inline std::vector<int> walk_eyes(const Config& c, const Frame& frame, uint64_t walk) {
+  std::vector<int> eyes;
+  for (const int eye : wanted_eyes(c, frame)) {
+    if (walk_sees(c, walk, eye)) eyes.push_back(eye);
+  }
+  return eyes;
 }
 
 // What is added to a view coordinate, in units of 2^view_exp.

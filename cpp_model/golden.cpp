@@ -304,12 +304,11 @@ GoldenWindow golden_window(const GoldenInput& input, uint64_t window_x, uint64_t
     if (!layers) ordinal = 0;
     if (window.layers.empty() || window.layers.back().ordinal != ordinal) window.layers.push_back({ordinal, {}});
     ++window.work.chunks;
+    const std::vector<int> eyes = walk_eyes(packed.config, input.frame, chunk.walk);
     for (uint64_t slot = chunk.slot; slot < chunk.slot + chunk.count; ++slot) {
       const Fetched fetched = golden_fetched(chunk, packed.gaussians[slot], slot);
       ++window.work.fetched;
-      for (int eye = 0; eye < packed.config.eyes; ++eye) {
-        if (wants_eye(packed.config, input.frame, eye)) preprocess(input, fetched, eye, window, window.layers.back());
-      }
+      for (const int eye : eyes) preprocess(input, fetched, eye, window, window.layers.back());
     }
   };
   const int x = static_cast<int>(window_x), y = static_cast<int>(window_y);
@@ -317,9 +316,12 @@ GoldenWindow golden_window(const GoldenInput& input, uint64_t window_x, uint64_t
   else if (!packed.config.has_watermarks()) dopu_window(packed.config, input.frame, packed, x, y, chunk_of);
   else window.walks = dopu_walks(packed.config, input.frame, packed, x, y);
   for (const uint64_t walk : window.walks) dopu_nearest(packed.config, input.frame, packed, x, y, walk, chunk_of);
-  const auto turn = [&](const GoldenSplat& one) {
-    return window.in_parts() ? part_square(packed.config, one.splat.part) : 0;
-  };
+  std::array<size_t, kParts> turns = {};  // of a part: its walk
+  for (size_t part = 0; part < turns.size() && window.in_parts(); ++part) {
+    while (turns[part] + 1 < window.walks.size() && !walk_has(packed.config, window.walks[turns[part]], part))
+      ++turns[part];
+  }
+  const auto turn = [&](const GoldenSplat& one) { return turns[one.splat.part]; };
   const int octave = su_octave(packed.config, input.frame);
   for (GoldenLayer& layer : window.layers) {
     std::sort(layer.splats.begin(), layer.splats.end(), [&](const GoldenSplat& a, const GoldenSplat& b) {

@@ -25,7 +25,8 @@ inline Closed closed_of(const Config& c, const RegionSet& closed, uint64_t walk)
   for (int y = 0; y < side; ++y) {
     for (int x = 0; x < side; ++x) {
       bool all = true;  // eyes
-      for (int eye = 0; eye < c.eyes; ++eye) all = all && closed.has(c, region_at(c, x0 + x, y0 + y, eye));
+      for (int eye = 0; eye < c.eyes; ++eye)
+        all = all && (!walk_sees(c, walk, eye) || closed.has(c, region_at(c, x0 + x, y0 + y, eye)));
       if (all) continue;
       left = std::min(left, x), right = std::min(right, side - 1 - x);
       top = std::min(top, y), bottom = std::min(bottom, side - 1 - y);
@@ -36,26 +37,38 @@ inline Closed closed_of(const Config& c, const RegionSet& closed, uint64_t walk)
   return {count(left), count(right), count(top), count(bottom)};
 }
 
-// What is said of a part, to be read or written.
-template <class O>
-auto& closed_part(O& open, uint64_t part) {
-  decltype(&open.part_0) const parts[] = {&open.part_0, &open.part_1, &open.part_2, &open.part_3};
-  return *parts[part];
+// What is said of a walk: is read, or written.
+inline Closed walk_closed(const Config& c, const Open& open, uint64_t walk) {
+  const auto of = [](const EyeClosed& one) { return Closed{one.left, one.right, one.top, one.bottom}; };
+  const Closed firsts[] = {open.part_0, open.part_1, open.part_2, open.part_3};
+  const EyeClosed seconds[] = {open.part_4, open.part_5, open.part_6, open.part_7};
+  const uint64_t part = walk_part(c, walk);
+  if (walk_by_square(c, walk)) return part < 4 ? firsts[part] : of(seconds[part - 4]);
+  if (walk_eye(c, walk) == kAllEyes) return open.whole;
+  return of(walk_eye(c, walk) == 0 ? open.eye_0 : open.eye_1);
+}
+inline void close_walk(const Config& c, Open& open, uint64_t walk, const Closed& closed) {
+  const EyeClosed one{closed.left, closed.right, closed.top, closed.bottom};
+  Closed* const firsts[] = {&open.part_0, &open.part_1, &open.part_2, &open.part_3};
+  EyeClosed* const seconds[] = {&open.part_4, &open.part_5, &open.part_6, &open.part_7};
+  const uint64_t part = walk_part(c, walk);
+  if (walk_by_square(c, walk) && part < 4) *firsts[part] = closed;
+  else if (walk_by_square(c, walk)) *seconds[part - 4] = one;
+  else if (walk_eye(c, walk) == kAllEyes) open.whole = closed;
+  else (walk_eye(c, walk) == 0 ? open.eye_0 : open.eye_1) = one;
 }
 
 // What pipegs_open makes of a window that all RUs are in.
 inline Open open_of(const Config& c, const RegionSet& closed, uint64_t window_x, uint64_t window_y) {
-  Open open{.known = 1, .window_x = window_x, .window_y = window_y, .whole = closed_of(c, closed, kWholeWalk)};
-  if (!c.has_walks()) return open;
-  for (uint64_t part = 0; part < static_cast<uint64_t>(c.squares()); ++part)
-    closed_part(open, part) = closed_of(c, closed, walk_of(c, part));
+  Open open{.known = 1, .window_x = window_x, .window_y = window_y};
+  for (const uint64_t walk : all_walks(c)) close_walk(c, open, walk, closed_of(c, closed, walk));
   return open;
 }
 
 // pipegs_closed: of a walk of a window.
 inline Closed closed_at(const Config& c, const Open& open, uint64_t window_x, uint64_t window_y, uint64_t walk) {
   if (open.known == 0 || open.window_x != window_x || open.window_y != window_y) return {};
-  return walk == kWholeWalk ? open.whole : closed_part(open, walk_part(c, walk));
+  return walk_closed(c, open, walk);
 }
 
 }  // namespace pipegs

@@ -3,7 +3,7 @@
 //
 // Paper   Sec. 4.2.3 stops work in opaque regions; here it is not begun either (Occlusion).
 // Idea    A column or row of regions that are all closed needs nothing more. Of the whole window, and of each part
-//         alone, the closed ones are counted from each side to the first with an open region. Nothing is known while
+//         and each eye alone, the closed ones are counted from each side to the first with an open region. Nothing is known while
 //         the RUs are in different windows; where no region is open at all, 0 is said: the walk ends by itself then.
 //         Within a window the RUs only close regions, so the rectangle only shrinks, and an old one holds the new one.
 // Stream  progress_i of each cycle -> open_o in the next one.
@@ -23,6 +23,7 @@ module pipegs_open (
   localparam int unsigned MaskW   = pipegs_pkg::MaskW;
   localparam int unsigned Parts   = pipegs_pkg::Parts;
   localparam int unsigned Squares = pipegs_pkg::Squares;
+  localparam int unsigned Eyes    = pipegs_pkg::Eyes;
   localparam int unsigned PartsX  = pipegs_pkg::PartsX;
   localparam int unsigned PartX   = pipegs_pkg::PartRegionsX;
   localparam int unsigned SideX   = PartsX * PartX;  // regions along the window's side
@@ -48,20 +49,25 @@ module pipegs_open (
   end
 
   // --- columns and rows that hold one -------------------------------------------------------------------------------
-  logic [Squares*PartX-1:0] columns, rows;  // of each square, in any eye's picture
+  logic [Parts*PartX-1:0] columns, rows;  // of each part
   logic [SideX-1:0]       all_columns, all_rows;
+  logic [Eyes*SideX-1:0]  eye_columns, eye_rows;
   always_comb begin
     columns     = '0;
     rows        = '0;
     all_columns = '0;
     all_rows    = '0;
+    eye_columns = '0;
+    eye_rows    = '0;
     for (int unsigned p = 0; p < Parts; p += 1) begin
       for (int unsigned r = 0; r < MaskW; r += 1) begin
         if (open[p*MaskW+r]) begin
-          columns[p%Squares*PartX + r%PartX]           = 1'b1;
-          rows[p%Squares*PartX + r/PartX]              = 1'b1;
+          columns[p*PartX + r%PartX]                   = 1'b1;
+          rows[p*PartX + r/PartX]                      = 1'b1;
           all_columns[(p%PartsX)*PartX + r%PartX]      = 1'b1;
           all_rows[(p%Squares/PartsX)*PartX + r/PartX] = 1'b1;
+          eye_columns[p/Squares*SideX + (p%PartsX)*PartX + r%PartX]   = 1'b1;
+          eye_rows[p/Squares*SideX + (p%Squares/PartsX)*PartX + r/PartX] = 1'b1;
         end
       end
     end
@@ -83,8 +89,8 @@ module pipegs_open (
   endfunction
 
   pipegs_pkg::open_t open_d, open_q;
-  logic [Bits-1:0]   part [4];
-  for (genvar p = 0; p < 4; p += 1) begin : gen_part
+  logic [Bits-1:0]   part [4*Eyes];
+  for (genvar p = 0; p < 4 * Eyes; p += 1) begin : gen_part
     if (pipegs_pkg::HasWalks) begin : gen_walk
       assign part[p] = closed_of(SideX'(columns[p*PartX +: PartX]), SideX'(rows[p*PartX +: PartX]), PartX);
     end else begin : gen_none
@@ -93,15 +99,20 @@ module pipegs_open (
       assign unused_lines = ^{columns, rows};
     end
   end
-  always_comb begin
-    open_d.known    = here == '1;
-    open_d.window_x = progress_i.x[0];
-    open_d.window_y = progress_i.y[0];
-    open_d.whole    = closed_of(all_columns, all_rows, SideX);
-    open_d.part_0   = part[0];
-    open_d.part_1   = part[1];
-    open_d.part_2   = part[2];
-    open_d.part_3   = part[3];
+  localparam int unsigned CommonW = 1 + 2 * pipegs_pkg::WindowW + 5 * Bits;
+  logic [CommonW-1:0] common;  // the fields that an open_t always has
+  assign common = {part[3], part[2], part[1], part[0], closed_of(all_columns, all_rows, SideX),
+                   progress_i.y[0], progress_i.x[0], here == '1};
+  if (pipegs_pkg::WalkEyeW != 0) begin : gen_eyes
+    logic [Bits-1:0] eye [2];
+    for (genvar e = 0; e < 2; e += 1) begin : gen_eye
+      assign eye[e] = closed_of(eye_columns[e*SideX +: SideX], eye_rows[e*SideX +: SideX], SideX);
+    end
+    assign open_d = {part[7], part[6], part[5], part[4], eye[1], eye[0], common};
+  end else begin : gen_one_eye
+    assign open_d = common;
+    logic unused_eyes;
+    assign unused_eyes = ^{eye_columns, eye_rows};
   end
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) open_q <= '0;

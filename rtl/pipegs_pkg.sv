@@ -152,7 +152,8 @@ package pipegs_pkg;
   // half the distance between the eyes, signed, world units; absent likewise
   localparam int unsigned HalfEyeW       = 0;
   localparam int unsigned EyeReachW      = 0;  // the same as a scale; absent likewise
-  // what a test of nodes knows of the eyes: length, reach_y, reach_x; of one eye 0
+  // what a test of nodes knows of the eyes: length, y and x each a sign above its reach, of either set of planes a flag
+  // and the one eye that it is for; of one eye 0
   localparam int unsigned TestEyesW      = 1;
   // what a cull knows of the eyes: which are wanted, half_y, half_x; of one eye 0
   localparam int unsigned SeenEyesW      = 4;
@@ -171,8 +172,12 @@ package pipegs_pkg;
   // columns or rows of regions of a window, from one side, in which none is open
   localparam int unsigned ClosedW        = 4;
   localparam bit HasWalks                = 1'b1;  // a window may be walked part by part
-  // what a walk covers: 0 its window, else the upper bit and below it the one square; absent where all are of windows
+  // of a walk of one eye: a flag and the eye; absent where there is one, or all walks are of windows
+  localparam int unsigned WalkEyeW       = 0;
+  // what a walk covers: 0 its window, else a flag and the one square, and below them whose eye's; absent where all are
+  // of windows
   localparam int unsigned WalkW          = 3;
+  localparam int unsigned EyeClosedW     = 0;  // ClosedW; absent like WalkEyeW
   localparam int unsigned WalkMostW      = 24;  // Gaussians of a walk; absent likewise
   // what a beat is: 0 data, 1 end of layer, 2 end of window (and of its last layer), 3 end of a walk of a part that is
   // not its window's last
@@ -615,7 +620,7 @@ package pipegs_pkg;
     closed_t part_3;
     closed_t part_2;
     closed_t part_1;
-    closed_t part_0;  // of a part alone, if it has parts
+    closed_t part_0;  // of a part alone, if it has parts; with two eyes of the first one's
     closed_t whole;  // of all of it
     logic [WindowW-1:0] window_y;  // row of the window
     logic [WindowW-1:0] window_x;  // column of the window

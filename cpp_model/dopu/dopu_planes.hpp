@@ -14,14 +14,17 @@
 #include <algorithm>
 #include <array>
 
-#include "cpp_model/fixed.hpp"
 #include "cpp_model/dopu/walk.hpp"
+#include "cpp_model/eyes.hpp"
+#include "cpp_model/fixed.hpp"
 #include "cpp_model/records.hpp"
 
 namespace pipegs {
 
 enum PlaneSide { kNear, kLeft, kRight, kTop, kBottom, kPlanes };
-using Planes = std::array<Plane, kPlanes>;
+struct Planes : std::array<Plane, kPlanes> {
+  int eye = kAllEyes;  // the one that is to see what passes
+};
 
 // One side plane: `sign` is +1 for left and top, -1 for right and bottom.
 inline Plane dopu_planes_side(const Config& config, const int64_t (&side)[3], const int64_t (&forward)[3],
@@ -66,6 +69,8 @@ inline Planes dopu_planes(const Config& config, const Frame& frame, int window_x
   const int64_t y1 = last(end(walk_y, frame.raster.windows.last_y), closed.bottom, frame.raster.height);
   const int drop = config.rot_w() - config.test_w();
   Planes planes;
+  if (const std::vector<int> eyes = walk_eyes(config, frame, walk); config.eyes > 1 && eyes.size() == 1)
+    planes.eye = eyes[0];
   planes[kNear] = {shift_floor(frame.camera.rotation.w20, drop), shift_floor(frame.camera.rotation.w21, drop),
                    shift_floor(frame.camera.rotation.w22, drop), -(int64_t{1} << (config.rot_f() - drop))};
   planes[kLeft] =

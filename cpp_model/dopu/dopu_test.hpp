@@ -7,8 +7,8 @@
 //         products and one for reach * scale (near: -1 * near). Corners, scale and near are brought to one unit 2^e
 //         with which the largest fits TestW bits, and floored. Eyes that stand apart (eyes = 2): half the way between
 //         them moves x by as much to the one side for one of them and to the other side for the other one, so each side
-//         plane moves out by focal * half, written as a scale whose reach that is (rounded up, so nothing is lost).
-//         Depths are those of the middle.
+//         plane moves out by focal * half, or for one eye's walk both to its side, written as a scale whose reach that
+//         is (rounded to what lets more pass). Depths are those of the middle.
 // Bound   Flooring a corner loses under one unit times n_i, flooring n_i loses under one unit times the corner, the
 //         same for reach and scale: together at most 2^(TestW + 2), which is added before the sign is looked at. At a
 //         1000 px focal length about 0.07 px on the window's edges for a node ahead (estimate).
@@ -83,11 +83,17 @@ inline unsigned dopu_test_planes(const Config& config, const Frame& frame, const
   const int64_t most = (int64_t{1} << (width - 1)) - 1;
   const int64_t near = std::min(most, shift_floor(static_cast<int64_t>(frame.lens.near_plane), box.exponent));
   const int64_t slack = dopu_test_slack(config);
-  const auto with_eyes = [&](uint64_t reach) {
-    return scale + (reach == 0 ? 0 : shift_floor(static_cast<int64_t>(reach), box.exponent) + 1);
+  // low: of the left and the upper plane, which move out for the first eye when half the way is not negative.
+  const auto moved = [&](uint64_t reach, int64_t half, bool low) {
+    if (reach == 0) return scale;
+    const bool out = planes.eye == kAllEyes || (planes.eye == 0) == (low == (half >= 0));
+    const int64_t by = shift_floor(static_cast<int64_t>(reach), box.exponent);
+    return scale + 1 + (out ? by : -by);
   };
-  const int64_t across = with_eyes(frame.eyes.reach_x), along = with_eyes(frame.eyes.reach_y);
-  const int64_t operands[kPlanes] = {near, across, across, along, along};
+  const Eyes& eyes = frame.eyes;
+  const int64_t operands[kPlanes] = {near, moved(eyes.reach_x, eyes.half_x, true),
+                                     moved(eyes.reach_x, eyes.half_x, false), moved(eyes.reach_y, eyes.half_y, true),
+                                     moved(eyes.reach_y, eyes.half_y, false)};
   unsigned passed = 0;
   for (int side = 0; side < kPlanes; ++side) {
     const Plane& p = planes[static_cast<size_t>(side)];

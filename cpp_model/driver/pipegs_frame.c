@@ -228,7 +228,6 @@ enum pipegs_setup pipegs_setup_eyes(const struct pipegs_configuration *config, c
   frame->eyes_reach_x = eye_reach(x, frame->lens_focal_x, frame->lens_reach_x);
   frame->eyes_reach_y = eye_reach(y, frame->lens_focal_y, frame->lens_reach_y);
   frame->raster_eyes = 3;
-  frame->walk_most = (frame->walk_most + 1) / 2; /* a record for each eye */
   return PIPEGS_SETUP_OK;
 }
 

@@ -133,8 +133,8 @@ enum pipegs_setup pipegs_setup_job(const struct pipegs_configuration *config, co
 /* Two eyes (a machine with eyes = 2): the camera stands between them, and the second one twice `half` further to its
  * right and down (scene units) than the first one. Both have its rotation and lens. Makes `job` write both pictures:
  * that of the second eye lies behind that of the first one by windows, as does each AOV of it; in raster order frame.
- * raster_eye_lines (bytes) is to be set so that both have room. A Gaussian gives a record for each eye, so walk_most is
- * halved. Without it only the first eye's picture is made, that of the camera. */
+ * raster_eye_lines (bytes) is to be set so that both have room. Without it only the first eye's picture is made, that
+ * of the camera. */
 enum pipegs_setup pipegs_setup_eyes(const struct pipegs_configuration *config, const struct pipegs_scene *scene,
                                     const struct pipegs_number half[2], struct pipegs_job *job);
 

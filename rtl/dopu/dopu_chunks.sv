@@ -16,7 +16,7 @@ module dopu_chunks #(
   input  logic                                 rst_ni,
   input  logic                                 awake_i,    // the DOPU's clock does not stand, or would not
   input  pipegs_pkg::position_t                position_i,
-  input  logic [pipegs_pkg::TestEyesW-1:0]       test_eyes_i,  // length, reach_y, reach_x of both; one eye: 0
+  input  logic [pipegs_pkg::TestEyesW-1:0]       test_eyes_i,  // of dopu_test; one eye: 0
   input  logic [pipegs_pkg::WorldW-1:0]        near_plane_i,
   input  logic [pipegs_pkg::StepW-1:0]         lod_i,     // of the frame; 0: no proxies
   input  pipegs_pkg::span_t                    groups_i,  // the tables

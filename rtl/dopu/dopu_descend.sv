@@ -21,7 +21,7 @@ module dopu_descend #(
   input  logic                                  awake_i,  // the unit's clock does not stand, or would not
 
   input  pipegs_pkg::position_t                 position_i,
-  input  logic [pipegs_pkg::TestEyesW-1:0]        test_eyes_i,  // length, reach_y, reach_x of both; one eye: 0
+  input  logic [pipegs_pkg::TestEyesW-1:0]        test_eyes_i,  // of dopu_test; one eye: 0
   input  logic [pipegs_pkg::WorldW-1:0]         near_plane_i,
   input  pipegs_pkg::span_t                     groups_i,  // the tables
   input  pipegs_pkg::span_t                     chunks_i,

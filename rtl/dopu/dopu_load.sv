@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// dopu_load: whether a window holds so much that its parts are walked one after the other.
+// dopu_load: whether a window holds so much that its eyes, or its parts, are walked one after the other.
 //
 // Paper   None: the paper's windows are walked whole.
 // Idea    What must wait at once lies at about one depth. A group that passes counts, with as many Gaussians to a chunk
 //         as it has room for, in every bucket of depth from its nearest to its farthest corner. What begins in a bucket
 //         and what has ended before it are added up in two SRAMs, a word for Word buckets, with a bit that says whether
 //         it was written. When all groups have come, and are more than most_i together, word after word is read. Too
-//         much is a bucket that holds more than most_i, or more groups than half of the places in which they wait. The
-//         rule stands here alone: whatever is judged gives the same pixels.
+//         much is a bucket that holds more than most_i, or more groups than half of the places in which they wait; for
+//         both eyes together, which make two records of a Gaussian, one with more than half of most_i. The rule stands
+//         here alone: whatever is judged gives the same pixels.
 // Stream  judges_o: there are trials at all. group: one that passes; counted_i: all of the window have come, none in
-//         the same cycle or the one before. judged_o ends the trial, in parts_o how; the next one begins with a group.
+//         the same cycle or the one before. judged_o ends the trial: split_o, it is given up, parts_o, for each part alone
+//         and not for each eye; the next one begins with a group.
 // Pace    A group per cycle; judged at once where all together is not too much, else after up to Words + 4 cycles.
 // Model   cpp_model/dopu/dopu_load.hpp
 
@@ -20,7 +22,8 @@ module dopu_load #(
 ) (
   input  logic              clk_i,
   input  logic              rst_ni,
-  input  logic [MostW-1:0]  most_i,  // constant while a frame runs
+  input  logic [MostW-1:0]  most_i,  // constant while a frame runs, as is
+  input  logic              pair_i,  // both eyes are wanted
 
   output logic              judges_o,
   input  logic              group_valid_i,
@@ -29,6 +32,7 @@ module dopu_load #(
   input  logic [LoadW-1:0]  group_far_i,
   input  logic              counted_i,
   output logic              judged_o,
+  output logic              split_o,
   output logic              parts_o
 );
 
@@ -46,13 +50,16 @@ module dopu_load #(
   logic [SumW-1:0]         sum_q;     // chunks
   logic [PlaceW-1:0]       groups_q;
   logic [MostW-ChunkF-1:0] most;      // chunks that are not too much
-  logic                    fits, parts_q, whole_q, counted_q, reading_q, over, last;
+  logic [MostW-ChunkF-1:0] together;  // likewise for all eyes that are wanted
+  logic                    fits, parts_q, eyes_q, whole_q, counted_q, reading_q, over, crowded, last;
   logic                    come;      // a group of the window on trial
 
   assign most     = most_i[MostW-1:ChunkF];
   assign judges_o = most_i != '0;
-  assign fits     = (MostW-ChunkF)'(sum_q) <= most;
-  assign judged_o = (counted_i && fits) || parts_q || whole_q;
+  assign together = pair_i ? most >> 1 : most;
+  assign fits     = (MostW-ChunkF)'(sum_q) <= together;
+  assign judged_o = (counted_i && fits) || parts_q || eyes_q || whole_q;
+  assign split_o  = parts_q || eyes_q;
   assign parts_o  = parts_q;
   assign come     = group_valid_i && !judged_o;
 
@@ -61,6 +68,7 @@ module dopu_load #(
       sum_q     <= '0;
       groups_q  <= '0;
       parts_q   <= 1'b0;
+      eyes_q    <= 1'b0;
       whole_q   <= 1'b0;
       counted_q <= 1'b0;
       reading_q <= 1'b0;
@@ -68,6 +76,7 @@ module dopu_load #(
       sum_q     <= '0;
       groups_q  <= '0;
       parts_q   <= 1'b0;
+      eyes_q    <= 1'b0;
       whole_q   <= 1'b0;
       counted_q <= 1'b0;
       reading_q <= 1'b0;
@@ -79,7 +88,8 @@ module dopu_load #(
       counted_q <= counted_i;
       if (counted_q) reading_q <= 1'b1;
       parts_q <= over || (group_valid_i && groups_q == PlaceW'(Places));
-      whole_q <= last && !over;
+      eyes_q  <= last && !over && crowded;
+      whole_q <= last && !over && !crowded;
     end
   end
 
@@ -176,6 +186,20 @@ module dopu_load #(
     end
   end
   assign last = read2_q && !read1_q;
+
+  // --- too much for both eyes --------------------------------------------------------------------------------------
+  if (pipegs_pkg::Eyes > 1) begin : gen_eyes
+    logic some, some_q;
+    always_comb begin
+      some = 1'b0;
+      for (int unsigned i = 0; i < Word; i += 1) if (read2_q && (MostW-ChunkF)'(load[i]) > together) some = 1'b1;
+    end
+    assign crowded = some || some_q;
+    always_ff @(posedge clk_i) some_q <= reading_q && crowded;
+  end else begin : gen_one_eye
+    assign crowded = 1'b0;
+  end
+
   always_ff @(posedge clk_i) begin
     first_q  <= change[0];
     second_q <= change[0] + change[1];

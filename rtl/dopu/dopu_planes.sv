@@ -105,7 +105,7 @@ module dopu_planes (
   end
   if (pipegs_pkg::HasWalks) begin : gen_walk
     assign half   = window_q[pipegs_pkg::PlaceW-1];
-    assign behind = vertical ? window_q[2*WindowW+1] : window_q[2*WindowW];
+    assign behind = vertical ? window_q[pipegs_pkg::PlaceW-2] : window_q[pipegs_pkg::PlaceW-3];
   end else begin : gen_whole
     assign half   = 1'b0;
     assign behind = 1'b0;

@@ -5,7 +5,7 @@
 // Idea    The corner of the box farthest along a plane's normal decides: three products, one more for reach * scale.
 //         Corners, scale and near distance share one block exponent; what flooring takes away is given back as a
 //         constant Slack. The box is that of the means or, with TightBoxes, that of the ellipsoids (dopu_hull). Eyes
-//         that stand apart move the side planes out, each by a scale's reach.
+//         that stand apart move the side planes out, each by a scale's reach; planes of one eye's walk move to its side.
 // Stream  node: a node, the set of planes to use (each side plane may become a tighter one while the node is inside), a
 //         tag. result: node, tag, pass; it has no ready: the caller asks only for what it can take.
 //         nearest (with watermarks, else 0): in units of 2^(exponent - 18) world units no Gaussian of the node is
@@ -27,7 +27,7 @@ module dopu_test #(
   input  logic                                  awake_i,  // the unit's clock does not stand, or would not
 
   input  pipegs_pkg::position_t                 position_i,
-  input  logic [pipegs_pkg::TestEyesW-1:0]      test_eyes_i,  // length, reach_y, reach_x of both; one eye: 0
+  input  logic [pipegs_pkg::TestEyesW-1:0]      test_eyes_i,  // one eye: 0
   input  logic [pipegs_pkg::WorldW-1:0]         near_plane_i,
   input  logic [2*5*pipegs_pkg::PlaneBits-1:0]  planes_i,  // two sets: near, left, right, top, bottom
 
@@ -177,36 +177,58 @@ module dopu_test #(
     if (phase_q == 2'd2) near_cut_q <= near_wide[WorldW-1:TestW-1] != '0 ? '1 : near_wide[TestW-2:0];
   end
 
-  // With two eyes the side planes move out: a scale for left and right, another one for top and bottom.
-  logic [TestW-2:0] across_cut, along_cut;  // with the scale; phase 0 takes them
+  // With two eyes the side planes move, by a scale: phase 0 takes it, with that of the node.
+  typedef struct packed {logic signed [TestW-1:0] bottom, top, right, left;} moved_t;
+  moved_t moved_cut;
   if (pipegs_pkg::Eyes > 1) begin : gen_eyes
     localparam int unsigned ReachW = pipegs_pkg::EyeReachW;
-    logic [ReachW-1:0] reach, reach_wide;
-    logic [TestW-2:0]  reach_cut_q, sum, across_cut_q;
-    logic              apart_q;
-    assign eyes_length = test_eyes_i[2*ReachW +: ExpW];
-    assign reach       = phase_q == 2'd1 ? test_eyes_i[0 +: ReachW] : test_eyes_i[ReachW +: ReachW];
-    assign reach_wide  = reach >> exponent_q;
-    assign sum         = scale_cut_q + reach_cut_q + (TestW-1)'(apart_q);  // rounded up
+    typedef struct packed {
+      logic              negative;  // half the way between the eyes
+      logic [ReachW-1:0] reach;
+    } side_t;
+    typedef struct packed {
+      logic [ExpW-1:0] length;
+      side_t           y, x;
+      logic [1:0]      one, eye;  // of each set: planes are for one eye, and for which
+    } eyes_t;
+    eyes_t                   eyes;
+    side_t                   shifted, axis_q;
+    logic [ReachW-1:0]       reach_wide;
+    logic [TestW-2:0]        cut_q;
+    logic signed [TestW-1:0] beside, plus, minus, lower, upper, lower_x_q, upper_x_q;
+    logic                    set, one, eye;
+    assign eyes        = test_eyes_i;
+    assign eyes_length = eyes.length;
+    // Phase 1 shifts x, phase 2 y; phase 2 adds x, phase 0 y.
+    assign shifted     = phase_q == 2'd1 ? eyes.x : eyes.y;
+    assign reach_wide  = shifted.reach >> exponent_q;
+    assign set         = phase_q == 2'd0 ? slot2_q[StageW-1] : slot1_q[StageW-1];
+    assign one         = eyes.one[set];
+    assign eye         = eyes.eye[set];
+    assign beside      = {1'b0, scale_cut_q} + TestW'(axis_q.reach != '0);  // what flooring takes, given back
+    assign plus        = beside + {1'b0, cut_q};
+    assign minus       = beside - {1'b0, cut_q};
+    assign lower       = !one || eye == axis_q.negative ? plus : minus;
+    assign upper       = !one || eye != axis_q.negative ? plus : minus;
     always_ff @(posedge clk_i) begin
-      {reach_cut_q, apart_q} <= {reach_wide[TestW-2:0], reach != '0};
-      if (phase_q == 2'd2) across_cut_q <= sum;
+      axis_q <= shifted;
+      cut_q  <= reach_wide[TestW-2:0];
+      if (phase_q == 2'd2) {upper_x_q, lower_x_q} <= {upper, lower};
     end
-    assign across_cut = across_cut_q;
-    assign along_cut  = sum;
+    assign moved_cut = {upper, lower, upper_x_q, lower_x_q};
     logic unused_reach;  // bits that the exponent leaves 0
     assign unused_reach = ^reach_wide[ReachW-1:TestW-1];
   end else begin : gen_one_eye
     assign eyes_length = '0;
-    assign across_cut  = scale_cut_q;
-    assign along_cut   = scale_cut_q;
+    assign moved_cut   = {4{1'b0, scale_cut_q}};
     logic unused_eyes;
     assign unused_eyes = ^test_eyes_i;
   end
 
   // --- slot 2, phase 0: z comes out of the shifter; all corners stand for three cycles ------------------------------
   logic signed [TestW-1:0] low_x_q, high_x_q, low_y_q, high_y_q, low_z_q, high_z_q;
-  logic signed [TestW-1:0] across_q, along_q, near_q;  // beside the reach: of left and right, top and bottom, near
+  logic signed [TestW-1:0] near_q;
+  moved_t                  moved_q;  // what the sides' reach is multiplied with
   logic                    set_q;
 
   always_ff @(posedge clk_i) begin
@@ -217,8 +239,7 @@ module dopu_test #(
       high_y_q <= high_y_cut_q;
       low_z_q  <= low_cut;
       high_z_q <= high_cut;
-      across_q <= {1'b0, across_cut};
-      along_q  <= {1'b0, along_cut};
+      moved_q  <= moved_cut;
       near_q   <= {1'b0, near_cut_q};
       set_q    <= slot2_q[StageW-1];
     end
@@ -258,8 +279,8 @@ module dopu_test #(
     end
   end
   assign nearest   = Ranks && third_q != '0;
-  assign operand_a = first_q != '0 ? near_q : second_q != '0 ? across_q : along_q;
-  assign operand_b = first_q != '0 ? across_q : along_q;
+  assign operand_a = first_q != '0 ? near_q : second_q != '0 ? moved_q.right : moved_q.bottom;
+  assign operand_b = first_q != '0 ? moved_q.left : moved_q.top;
 
   // --- which box counts; the corner of the means that is nearest to the near plane -----------------------------------
   logic signed [TestW-1:0] nearest_x, nearest_y, nearest_z;

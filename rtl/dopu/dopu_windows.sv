@@ -6,7 +6,7 @@
 //         its walk is done; region (rx, ry) counts only if the RU that owns it is in this window. With lists there is
 //         one set, of all windows as one rectangle, and it is never done. Where judges_i is up the walk of a whole
 //         window is on trial (set_judges_o) until it is known how much there is; one with too much is given up, which
-//         is as done, and the walks of the window's parts follow.
+//         is as done, and the walks of its parts follow, or with two eyes those of either eye.
 //         With Occlusion the planes of a set are made anew when more of its walk is closed: those of the rectangle
 //         around what is open (pipegs_open). What they let pass that the old ones did not changes no pixel either, so
 //         they may change while nodes are tested; not on trial, whose verdict is of the window. A set to be filled goes
@@ -43,7 +43,8 @@ module dopu_windows (
   input  logic                                  judges_i,      // for the whole frame: there are trials
   output logic [1:0]                            set_judges_o,  // on trial
   input  logic                                  judged_i,      // it is over, ...
-  input  logic                                  parts_i,       // ... and the window goes by parts
+  input  logic                                  split_i,       // ... and the walk is given up,
+  input  logic                                  parts_i,       // ... for those of parts
   output logic [1:0]                            set_given_o    // given up
 );
 
@@ -76,8 +77,8 @@ module dopu_windows (
   assign window_valid = fill_due || refit_due;
   assign planes_ready = !valid_q[fill_q] || refitting;
   assign fill         = planes_valid && planes_ready && !refitting;
-  assign split        = judged_i && parts_i;
-  assign next         = (judged_i && !parts_i) || (fill && !on_trial && ends);
+  assign split        = judged_i && split_i;
+  assign next         = (judged_i && !split_i) || (fill && !on_trial && ends);
   assign last         = Whole || (row_ends && y == raster_i.windows.last_y);
 
   pipegs_window_walk u_walk (
@@ -213,27 +214,49 @@ module dopu_windows (
     assign unused_open  = ^open_i;
   end
 
-  // --- the walks of a window: whole, or its parts with a pixel of the picture, row by row ----------------------------
+  // --- the walks of a window: whole, or for each eye, and there its parts with a pixel of the picture, row by row ----
   if (pipegs_pkg::HasWalks) begin : gen_walks
     localparam int unsigned HalfF  = $clog2(pipegs_pkg::Window) - 1;
     localparam int unsigned PixelW = WindowW + pipegs_pkg::SizeW;
     logic       parts_q;         // the present window goes by parts
     logic [1:0] part_q;          // the next one of them
     logic       right_in, lower_in;  // the right column, the lower row have pixels
+    logic       eyes_q, eye_q, last_eye;  // the window goes eye by eye: the next one, and the last
+    logic       part_ends;
     assign right_in = PixelW'({x, 1'b1}) << HalfF < PixelW'(raster_i.width);
     assign lower_in = PixelW'({y, 1'b1}) << HalfF < PixelW'(raster_i.height);
-    assign on_trial = judges_i && !parts_q;
-    assign ends     = !parts_q || part_q == {lower_in, right_in};
-    assign place    = {parts_q, part_q, y, x};
+    assign part_ends = !parts_q || part_q == {lower_in, right_in};
+    assign on_trial  = judges_i && !parts_q && !eyes_q;
+    assign ends      = part_ends && (!eyes_q || eye_q == last_eye);
     always_ff @(posedge clk_i or negedge rst_ni) begin
       if (!rst_ni) begin
         parts_q <= 1'b0;
         part_q  <= '0;
       end else begin
-        parts_q <= (parts_q && !next) || split;
-        if (next) part_q <= '0;
+        parts_q <= (parts_q && !next) || (split && parts_i);
+        if (next || (fill && part_ends)) part_q <= '0;
         else if (fill && parts_q) part_q <= part_q[0] || !right_in ? 2'd2 : part_q + 1'b1;
       end
+    end
+    if (pipegs_pkg::Eyes > 1) begin : gen_eyes
+      assign last_eye = raster_i.eyes[1];
+      assign place    = {parts_q, part_q, eyes_q, eye_q, y, x};
+      always_ff @(posedge clk_i or negedge rst_ni) begin
+        if (!rst_ni) begin
+          eyes_q <= 1'b0;
+          eye_q  <= 1'b0;
+        end else begin
+          eyes_q <= (eyes_q && !next) || split;
+          if (next) eye_q <= 1'b0;
+          else if (split) eye_q <= !raster_i.eyes[0];
+          else if (fill && eyes_q && part_ends) eye_q <= 1'b1;
+        end
+      end
+    end else begin : gen_one_eye
+      assign eyes_q   = 1'b0;
+      assign eye_q    = 1'b0;
+      assign last_eye = 1'b0;
+      assign place    = {parts_q, part_q, y, x};
     end
   end else begin : gen_whole
     assign on_trial = 1'b0;
@@ -267,9 +290,14 @@ module dopu_windows (
   for (genvar s = 0; s < 2; s += 1) begin : gen_beside
     if (pipegs_pkg::HasWalks) begin : gen_parts
       for (genvar p = 0; p < pipegs_pkg::Parts; p += 1) begin : gen_part
-        assign beside[s][p*MaskW +: MaskW] =
-            {MaskW{place_q[s][PlaceW-1] &&
-                   place_q[s][PlaceW-2:2*WindowW] != (PlaceW-1-2*WindowW)'(p % pipegs_pkg::Squares)}};
+        logic square, eye;  // another one
+        assign square = place_q[s][PlaceW-1] && place_q[s][PlaceW-2 -: 2] != 2'(p % pipegs_pkg::Squares);
+        if (pipegs_pkg::Eyes > 1) begin : gen_eye
+          assign eye = place_q[s][2*WindowW+1] && place_q[s][2*WindowW] != 1'(p / pipegs_pkg::Squares);
+        end else begin : gen_one_eye
+          assign eye = 1'b0;
+        end
+        assign beside[s][p*MaskW +: MaskW] = {MaskW{square || eye}};
       end
     end else begin : gen_none
       assign beside[s] = '0;

@@ -82,7 +82,9 @@ module pipegs_dopu (
   logic [1:0]           set_valid, set_last, set_done, set_ends, set_judges, set_given;
   logic [2*PlaceW-1:0]  set_place;
   logic [2*5*pipegs_pkg::PlaneBits-1:0] planes;
-  logic                 window_walked, window_sent, done_news, judges, group_valid, counted, judged, parts;
+  logic                 window_walked, window_sent, done_news, judges, group_valid, counted, judged;
+  logic                 split, parts;
+  logic                 pair;  // both eyes are wanted
   logic [pipegs_pkg::CountW-1:0] group_chunks;
   logic [pipegs_pkg::LoadW-1:0]  group_near, group_far;
 
@@ -109,6 +111,7 @@ module pipegs_dopu (
     .judges_i(judges),
     .set_judges_o(set_judges),
     .judged_i(judged),
+    .split_i(split),
     .parts_i(parts),
     .set_given_o(set_given)
   );
@@ -118,6 +121,7 @@ module pipegs_dopu (
       .clk_i,
       .rst_ni,
       .most_i(frame_i.walk_most),
+      .pair_i(pair),
       .judges_o(judges),
       .group_valid_i(group_valid),
       .group_chunks_i(group_chunks),
@@ -125,11 +129,13 @@ module pipegs_dopu (
       .group_far_i(group_far),
       .counted_i(counted),
       .judged_o(judged),
+      .split_o(split),
       .parts_o(parts)
     );
   end else begin : gen_no_load
     assign judges = 1'b0;
     assign judged = 1'b0;
+    assign split  = 1'b0;
     assign parts  = 1'b0;
     logic unused_load;
     assign unused_load = &{1'b0, group_valid, group_chunks, group_near, group_far, counted};
@@ -193,9 +199,23 @@ module pipegs_dopu (
   logic [pipegs_pkg::TestEyesW-1:0]   test_eyes;
   logic [pipegs_pkg::ExpW-1:0]        eye_length;
   if (pipegs_pkg::Eyes > 1) begin : gen_eyes
-    assign test_eyes  = {frame_i.eyes.length, frame_i.eyes.reach_y, frame_i.eyes.reach_x};
+    localparam int unsigned HalfW = pipegs_pkg::HalfEyeW;
+    logic [1:0] one, eye;  // of either set of planes: for one eye alone, and for which
+    for (genvar s = 0; s < 2; s += 1) begin : gen_set
+      if (pipegs_pkg::HasWalks) begin : gen_walks
+        assign one[s] = !pair || set_place[s*PlaceW + 2*pipegs_pkg::WindowW + 1];
+        assign eye[s] = pair ? set_place[s*PlaceW + 2*pipegs_pkg::WindowW] : !frame_i.raster.eyes[0];
+      end else begin : gen_whole
+        assign one[s] = !pair;
+        assign eye[s] = !frame_i.raster.eyes[0];
+      end
+    end
+    assign pair       = frame_i.raster.eyes == '1;
+    assign test_eyes  = {frame_i.eyes.length, frame_i.eyes.half_y[HalfW-1], frame_i.eyes.reach_y,
+                         frame_i.eyes.half_x[HalfW-1], frame_i.eyes.reach_x, one, eye};
     assign eye_length = frame_i.eyes.length;
   end else begin : gen_one_eye
+    assign pair       = 1'b0;
     assign test_eyes  = '0;
     assign eye_length = '0;
   end

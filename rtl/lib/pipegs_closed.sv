@@ -20,14 +20,34 @@ module pipegs_closed (
   assign closed_o = here ? walk : '0;
 
   if (pipegs_pkg::HasWalks) begin : gen_walks
+    logic [2:0]          square;  // of one, and which
+    pipegs_pkg::closed_t first;   // of both eyes, or of the first one
+    assign square = place_i[pipegs_pkg::PlaceW-1 -: 3];
     always_comb begin
-      case (place_i[pipegs_pkg::PlaceW-1:2*WindowW])
-        3'd4: walk = open_i.part_0;
-        3'd5: walk = open_i.part_1;
-        3'd6: walk = open_i.part_2;
-        3'd7: walk = open_i.part_3;
-        default: walk = open_i.whole;
+      case (square)
+        3'd4: first = open_i.part_0;
+        3'd5: first = open_i.part_1;
+        3'd6: first = open_i.part_2;
+        3'd7: first = open_i.part_3;
+        default: first = open_i.whole;
       endcase
+    end
+    if (pipegs_pkg::Eyes > 1) begin : gen_eyes
+      logic one, eye;
+      assign {one, eye} = place_i[2*WindowW +: 2];
+      always_comb begin
+        case ({one, eye, square})
+          5'b10000: walk = open_i.eye_0;
+          5'b11000: walk = open_i.eye_1;
+          5'b11100: walk = open_i.part_4;
+          5'b11101: walk = open_i.part_5;
+          5'b11110: walk = open_i.part_6;
+          5'b11111: walk = open_i.part_7;
+          default: walk = first;
+        endcase
+      end
+    end else begin : gen_one_eye
+      assign walk = first;
     end
   end else begin : gen_whole
     assign walk = open_i.whole;

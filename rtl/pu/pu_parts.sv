@@ -89,7 +89,7 @@ module pu_parts (
   assign end_x       = one_part ? one_x : last_x;
   assign end_y       = one_part ? one_y : last_y;
   if (pipegs_pkg::HasWalks) begin : gen_walk
-    assign {one_part, one_y, one_x} = payload.walk;
+    assign {one_part, one_y, one_x} = payload.walk[pipegs_pkg::WalkW-1 -: 3];
   end else begin : gen_whole
     assign {one_part, one_y, one_x} = '0;
   end

@@ -229,12 +229,13 @@ bool StreamCheck::closed_before(const Window& window, uint64_t index, uint64_t w
 bool StreamCheck::has_region(const Chunk& chunk, uint64_t slot) const {
   const Frame& frame = input_.frame;
   const Fetched fetched = golden_fetched(chunk, input_.packed->gaussians[slot], slot);
-  for (const int eye : wanted_eyes(config_, frame)) {
+  for (const int eye : walk_eyes(config_, frame, chunk.walk)) {
     Gap gap;
     const std::optional<Visible> visible = pu_cull(config_, frame, fetched, nullptr, &gap, {}, nullptr, eye);
     if (!visible) continue;
     if (config_.tight_cull && !pu_reach(config_, frame, *visible, gap)) continue;
-    for (const PuPart& one : pu_parts(config_, golden_conic(config_, frame, *visible).conic, chunk.walk)) {
+    for (const PuPart& one :
+         pu_parts(config_, golden_conic(config_, frame, *visible).conic, chunk.walk, visible->eye)) {
       if (pu_intersect(config_, frame, pu_coeff(config_, frame, one.conic)).mask != 0) return true;
     }
   }
@@ -422,10 +423,10 @@ void StreamCheck::on_splat(int unit, const uint32_t* words) {
   if (found == now.by_name[place.layer].end()) return fail(place.window, where, "none", to_text(config_, splat));
   const Splat& expected = found->second->splat;
   if (place.walk >= walks_of(now)) return fail(place.window, where, "the end of the window", "a splat");
-  if (now.golden.in_parts() && part_square(config_, splat.part) != walk_part(config_, now.golden.walks[place.walk])) {
+  if (const uint64_t walk = now.golden.in_parts() ? now.golden.walks[place.walk] : kWholeWalk;
+      !walk_has(config_, walk, splat.part)) {
     where.field = "part";
-    return fail(place.window, where, fmt::to_string(walk_part(config_, now.golden.walks[place.walk])),
-                fmt::to_string(splat.part));
+    return fail(place.window, where, fmt::format("one of walk {}", walk), fmt::to_string(splat.part));
   }
   const uint64_t mark = marks_[static_cast<size_t>(unit)];
   if (config_.has_watermarks() && splat.depth < mark) {

@@ -15,8 +15,9 @@ struct Group {
 
 class Trial {
  public:
-  explicit Trial(uint64_t most) : most_(most) {
+  explicit Trial(uint64_t most, bool pair = false) : most_(most), pair_(pair) {
     dut().most_i = static_cast<IData>(most);
+    dut().pair_i = pair;
     dut().group_valid_i = dut().counted_i = 0;
     bench_.reset();
   }
@@ -26,7 +27,7 @@ class Trial {
   void judge(const std::vector<Group>& groups, uint64_t percent) {
     const Config& config = test_config();
     const int shift = config.bucket_w() - config.load_w(), words = (1 << config.load_w()) / 4;
-    DopuLoad load(config, most_);
+    DopuLoad load(config, most_, pair_);
     for (const Group& group : groups) {
       while (bench_.rng() % 100 >= percent) step(false);
       dut().group_near_i = static_cast<CData>(group.near);
@@ -38,7 +39,7 @@ class Trial {
       dut().group_valid_i = 0;
       if (load.many_groups()) {
         dut().group_valid_i = bench_.rng() % 2;  // one more comes with the verdict, and is forgotten
-        step(true, true);
+        step(true, Load::kByPart);
         dut().group_valid_i = 0;
         ++early;
         return;
@@ -49,33 +50,35 @@ class Trial {
     const std::optional<int> overfull = load.overfull();
     const int wait = load.fits() ? 0 : overfull ? 5 + *overfull / 4 : words + 4;
     for (int cycle = 0; cycle <= wait; ++cycle) {
-      step(cycle == wait, overfull.has_value());
+      step(cycle == wait, load.verdict());
       if (testing::Test::HasFatalFailure()) return;
       dut().counted_i = 0;
     }
-    ++(load.fits() ? fit : overfull ? parts : whole);
+    ++(load.fits() ? fit : overfull ? parts : load.verdict() == Load::kByEye ? eyes : whole);
   }
-  int early = 0, fit = 0, parts = 0, whole = 0;
+  int early = 0, fit = 0, parts = 0, eyes = 0, whole = 0;
 
  private:
   Vdopu_load& dut() { return bench_.dut; }
-  void step(bool judged, bool by_parts = false) {
+  void step(bool judged, Load verdict = Load::kWhole) {
     dut().eval();
     ASSERT_EQ(dut().judged_o, judged) << "cycle " << bench_.cycle << ", seed " << bench_.seed;
-    if (judged) ASSERT_EQ(dut().parts_o, by_parts) << "cycle " << bench_.cycle << ", seed " << bench_.seed;
+    const Load found = !dut().split_o ? Load::kWhole : dut().parts_o ? Load::kByPart : Load::kByEye;
+    if (judged) ASSERT_EQ(found, verdict) << "cycle " << bench_.cycle << ", seed " << bench_.seed;
     bench_.step();
   }
   const uint64_t most_;
+  const bool pair_;
   Bench<Vdopu_load> bench_;
 };
 
 // Windows of all sizes one after the other, each as soon as the one before is judged: groups of any depth, in few
 // buckets, in the same word as the group before, up to the last bucket, with the farthest corner nearer than the
 // nearest.
-TEST(DopuLoad, JudgesAsItsModelInItsCycle) {
+void judge_windows(bool pair) {
   const Config& config = test_config();
   const int last = (1 << config.load_w()) - 1;
-  Trial trial(static_cast<uint64_t>(60 * config.chunk));
+  Trial trial(static_cast<uint64_t>(60 * config.chunk), pair);
   auto& rng = trial.bench().rng;
   const auto draw = [&](uint64_t most) { return static_cast<int>(rng() % (most + 1)); };
   for (int window = 0; window < 600; ++window) {
@@ -90,11 +93,19 @@ TEST(DopuLoad, JudgesAsItsModelInItsCycle) {
       groups.push_back({near, far, static_cast<uint64_t>(draw(static_cast<uint64_t>(kind == 3 ? 2 : config.group)))});
     }
     trial.judge(groups, window % 2 == 0 ? 100 : 40);
-    ASSERT_FALSE(HasFatalFailure());
+    ASSERT_FALSE(testing::Test::HasFatalFailure());
   }
-  std::printf("dopu_load: %d windows fit, %d are whole, %d by parts, %d for their many groups\n", trial.fit,
-              trial.whole, trial.parts, trial.early);
+  std::printf("dopu_load: %d windows fit, %d are whole, %d by eyes, %d by parts, %d for their many groups\n", trial.fit,
+              trial.whole, trial.eyes, trial.parts, trial.early);
   for (const int seen : {trial.fit, trial.whole, trial.parts, trial.early}) EXPECT_GT(seen, 20);
+  EXPECT_EQ(trial.eyes > 20, pair);
+}
+
+TEST(DopuLoad, JudgesAsItsModelInItsCycle) { judge_windows(false); }
+
+TEST(DopuLoad, JudgesAPairAsItsModelInItsCycle) {
+  if (test_config().eyes == 1) GTEST_SKIP() << "a machine of one eye";
+  judge_windows(true);
 }
 
 // Exactly as much as is allowed in one bucket, and one chunk more, in the first bucket, in the last one, between.

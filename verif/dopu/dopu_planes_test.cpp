@@ -20,7 +20,7 @@ Frame random_frame(const Config& config, std::mt19937_64& rng) {
 // Of the whole window, or of a part of it with a pixel.
 uint64_t random_walk(const Config& config, const Frame& frame, uint64_t x, uint64_t y, std::mt19937_64& rng) {
   if (!config.has_walks() || rng() % 3 == 0) return kWholeWalk;
-  const uint64_t walk = walk_of(config, rng() % static_cast<uint64_t>(config.squares()));
+  const uint64_t walk = walk_of(config, rng() % static_cast<uint64_t>(config.parts()));
   const WalkSquare square = walk_square(config, walk);
   const auto side = static_cast<uint64_t>(config.window);
   const bool inside = x * side + static_cast<uint64_t>(square.x) < frame.raster.width &&

@@ -45,7 +45,7 @@ bool touches(const PackedScene& packed, const Frame& frame, const Camera& camera
 std::vector<Camera> exact_cameras(const PackedScene& packed, const Frame& frame, const Camera& camera) {
   const double unit = std::ldexp(1.0, packed.scene_exponent);
   std::vector<Camera> cameras;
-  for (int eye = 0; eye < packed.config.eyes; ++eye) {
+  for (const int eye : wanted_eyes(packed.config, frame)) {
     const double side = packed.config.eyes == 1 ? 0 : eye == 0 ? -unit : unit;
     const glm::dvec3 half(side * static_cast<double>(frame.eyes.half_x), side * static_cast<double>(frame.eyes.half_y),
                           0);
@@ -173,6 +173,7 @@ void compare(Pace pace) {
     Words words(2 * kPlanes * static_cast<size_t>(record_width<Plane>(config)) / 32 + 4), one(4);
     for (int set = 0; set < 2; ++set) {
       sets[set] = dopu_planes(config, frame, static_cast<int>(bench.rng() % 8), static_cast<int>(bench.rng() % 6));
+      if (config.eyes > 1) sets[set].eye = static_cast<int>(bench.rng() % 3) - 1;
       for (int side = 0; side < kPlanes; ++side) {
         const int width = record_width<Plane>(config), at = (set * kPlanes + side) * width;
         pack(config, sets[set][static_cast<size_t>(side)], one.data());
@@ -180,6 +181,7 @@ void compare(Pace pace) {
       }
     }
     write_port(dut.planes_i, words.data());
+    write_test_eyes(config, dut, frame, {sets[0].eye, sets[1].eye});
     const size_t first = out.size();
     ASSERT_EQ(first, probe.taken.size());
     std::vector<Node> nodes;

@@ -52,6 +52,7 @@ inline void spread_eyes(const Config& config, const PackedScene& packed, Frame& 
   std::mt19937_64 rng(static_cast<uint64_t>(frame.camera.position.x ^ frame.camera.position.z));
   const double apart = std::array{0.0, 0.03, 0.5, 4.0}[rng() % 4];
   frame_eyes(config, packed, {apart * draw_normal(rng), apart / 3 * draw_normal(rng)}, frame);
+  frame.raster.eyes = std::array<uint64_t, 4>{3, 3, 1, 2}[rng() % 4];
 }
 
 inline double camera_bound(const Camera& camera) {

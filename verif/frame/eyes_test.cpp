@@ -78,12 +78,47 @@ TEST(Eyes, ShareTheWalk) {
   const Scene scene = random_scene(92, 3000, 1);
   const Camera camera = test_camera(150, 90);
   SimulateOptions options = with_eyes({}, 0.02);
-  Simulation both, left;
+  Simulation both, left, right;
   simulate_golden(scene, camera, options, both);
   options.eyes = 1;
   simulate_golden(scene, camera, options, left);
-  EXPECT_EQ(both.golden.work.fetched, left.golden.work.fetched);
-  EXPECT_GT(both.golden.work.visible, left.golden.work.visible * 3 / 2);
+  options.eyes = 2;
+  simulate_golden(scene, camera, options, right);
+  EXPECT_LT(both.golden.work.fetched, (left.golden.work.fetched + right.golden.work.fetched) * 6 / 10);
+  EXPECT_EQ(both.golden.work.visible, left.golden.work.visible + right.golden.work.visible);
+}
+
+// A window that holds too much for both eyes is walked for each alone, and then nothing is fetched that a frame of this
+// eye would not; one that holds too much for either goes by its parts. The pictures stay what they are.
+TEST(Eyes, HaveWalksOfTheirOwnWhereAWindowIsFull) {
+  const Scene scene = random_scene(95, 3000, 1);
+  const Camera camera = test_camera(150, 90);
+  SimulateOptions options = with_eyes({}, 0.05);
+  options.walk_most = 0;
+  Simulation whole;
+  simulate_golden(scene, camera, options, whole);
+  const Config& config = options.config;
+  std::array<int, 3> seen = {};  // windows: together, by eye, by part
+  for (const uint64_t most : {1, 200, 1500, 3000, 4500, 6000, 100000}) {
+    SCOPED_TRACE(most);
+    options.walk_most = most, options.eyes = 3;
+    Simulation both, left, right;
+    simulate_golden(scene, camera, options, both);
+    expect_same(both.golden, whole.golden);
+    expect_same(*both.golden.second, *whole.golden.second);
+    options.eyes = 1;
+    simulate_golden(scene, camera, options, left);
+    options.eyes = 2;
+    simulate_golden(scene, camera, options, right);
+    bool all_alone = true;
+    for (const uint64_t x : {0, 1}) {
+      const uint64_t walk = golden_window(both.input, x, 0).walks.front();
+      ++seen[walk == kWholeWalk ? 0 : walk_by_square(config, walk) ? 2 : 1];
+      all_alone = all_alone && walk_eye(config, walk) != kAllEyes && !walk_by_square(config, walk);
+    }
+    if (all_alone) EXPECT_LE(both.golden.work.fetched, left.golden.work.fetched + right.golden.work.fetched);
+  }
+  for (const int some : seen) EXPECT_GT(some, 1);
 }
 
 TEST(Eyes, SeeWhatACameraInTheirPlaceSees) {

@@ -45,6 +45,7 @@ struct PartsRun {
     }
     payloads.push_back(random_record<Payload>(config, bench.rng));
     payloads.back().walk = walk;
+    if (walk_eye(config, walk) != kAllEyes) payloads.back().eye = static_cast<uint64_t>(walk_eye(config, walk));
     for (const PuPart& one : pu_parts(config, conic, walk, payloads.back().eye)) {
       expected.push_back(one.conic);
       expected_parted.push_back({payloads.back(), one.part});

@@ -119,10 +119,10 @@ struct PuRandom {
     return c;
   }
 
-  // Of a window, or of a part of it.
+  // Of a window, or of a part of it, or of an eye.
   uint64_t walk() {
-    return !config.has_walks() || chance(3) ? kWholeWalk
-                                            : walk_of(config, rng() % static_cast<uint64_t>(config.squares()));
+    const std::vector<uint64_t> walks = all_walks(config);
+    return chance(3) ? kWholeWalk : walks[rng() % walks.size()];
   }
 
   // A visible Gaussian of any depth, mostly near the image, from 1/1000 pixel to far larger than it.

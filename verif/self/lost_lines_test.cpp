@@ -105,8 +105,7 @@ class LostLines : public testing::TestWithParam<Run> {
       const Splat end{.kind = last ? kWindowEnd : kLayerEnd};
       for (size_t i = 0; !window_.layers.empty() && i < window_.layers[layer].splats.size(); ++i, ++number) {
         Splat splat = window_.layers[layer].splats[i].splat;
-        for (; window_.in_parts() && walk_part(config(), window_.walks[walk]) != part_square(config(), splat.part);
-             ++walk)
+        for (; window_.in_parts() && !walk_has(config(), window_.walks[walk], splat.part); ++walk)
           all_end(kPartEnd);
         check.on_splat(0, shown(splat));
         if (number == changed) splat.mask ^= mask;

@@ -5,7 +5,11 @@
 //         areas. The name of the port says which. Unless a test says otherwise, the areas have room for all.
 #pragma once
 
+#include <algorithm>
+#include <array>
+
 #include "cpp_model/areas/frame_areas.hpp"
+#include "cpp_model/dopu/walk.hpp"
 #include "verif/support/bench.hpp"
 
 namespace pipegs {
@@ -18,6 +22,21 @@ inline Span wide_overflow(const Frame& frame) { return overflow_span(frame, wide
 
 inline uint64_t cut_bits(int64_t value, int width) {
   return static_cast<uint64_t>(value) & ((uint64_t{1} << width) - 1);
+}
+
+// What dopu_test knows of the eyes; `of`: whom either set of planes is for.
+template <class Dut>
+void write_test_eyes(const Config& config, Dut& dut, const Frame& frame, const std::array<int, 2>& of) {
+  Words words(8);
+  int at = 0;
+  const auto put = [&](int bits, uint64_t value) { put_bits(words.data(), at, bits, value), at += bits; };
+  for (const int eye : of) put(1, eye == 1);
+  for (const int eye : of) put(1, eye != kAllEyes);
+  put(config.eye_reach_w(), frame.eyes.reach_x), put(1, frame.eyes.half_x < 0);
+  put(config.eye_reach_w(), frame.eyes.reach_y), put(1, frame.eyes.half_y < 0);
+  put(config.exp_w(), frame.eyes.length);
+  if (config.eyes == 1) std::fill(words.begin(), words.end(), 0);
+  write_port(dut.test_eyes_i, words.data());
 }
 
 template <class Dut>
@@ -51,16 +70,7 @@ void write_frame(const Config& config, Dut& dut, const Frame& frame, const Areas
   SPAN_PORT(overflow_i, overflow)
   FIELD_PORT(sh_degree_i, tables.sh_degree)
   FIELD_PORT(pixels_i, tables.pixels)
-  if constexpr (requires { dut.test_eyes_i; }) {
-    Words words(8);
-    const int width = config.eye_reach_w();
-    if (config.eyes > 1) {
-      put_bits(words.data(), 0, width, frame.eyes.reach_x);
-      put_bits(words.data(), width, width, frame.eyes.reach_y);
-      put_bits(words.data(), 2 * width, config.exp_w(), frame.eyes.length);
-    }
-    write_port(dut.test_eyes_i, words.data());
-  }
+  if constexpr (requires { dut.test_eyes_i; }) write_test_eyes(config, dut, frame, {kAllEyes, kAllEyes});
   HALF_PORT(half_x_i, eyes.half_x)
   HALF_PORT(half_y_i, eyes.half_y)
 #undef RECORD_PORT

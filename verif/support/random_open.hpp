@@ -22,10 +22,8 @@ Closed random_closed(const Config& config, uint64_t walk, Rng& rng) {
 
 template <class Rng>
 Open random_open(const Config& config, uint64_t window_x, uint64_t window_y, Rng& rng) {
-  Open open{.known = 1, .window_x = window_x, .window_y = window_y, .whole = random_closed(config, kWholeWalk, rng)};
-  if (!config.has_walks()) return open;
-  for (uint64_t square = 0; square < static_cast<uint64_t>(config.squares()); ++square)
-    closed_part(open, square) = random_closed(config, walk_of(config, square), rng);
+  Open open{.known = 1, .window_x = window_x, .window_y = window_y};
+  for (const uint64_t walk : all_walks(config)) close_walk(config, open, walk, random_closed(config, walk, rng));
   return open;
 }
 

@@ -43,10 +43,7 @@ struct Closing {
 // Each walk with what is said of it.
 template <class Each>
 void walks(const Config& config, const Open& open, Each&& each) {
-  each(kWholeWalk, open.whole);
-  if (!config.has_walks()) return;
-  for (uint64_t square = 0; square < static_cast<uint64_t>(config.squares()); ++square)
-    each(walk_of(config, square), closed_part(open, square));
+  for (const uint64_t walk : all_walks(config)) each(walk, walk_closed(config, open, walk));
 }
 
 bool inside(const Config& config, uint64_t walk, const Closed& closed, int region) {

@@ -2,7 +2,8 @@
 // pu_eyes: each Gaussian once for each eye whose picture the frame makes (eyes = 2).
 //
 // Paper   None: it renders for headsets, but one picture at a time.
-// Idea    A Gaussian is fetched once and shown to pu_cull twice: the eyes differ in where view space begins, no more.
+// Idea    A Gaussian is fetched once and shown to pu_cull twice: the eyes differ in where view space begins, no more. In a
+//         walk of one eye it is shown once.
 // Stream  fetched in; the same out, with an eye beside it; what is no Gaussian passes once, as the first eye's.
 // Pace    One in a cycle, combinational: a Gaussian that both eyes see takes two.
 // Model   golden_window in cpp_model/golden.cpp
@@ -22,11 +23,19 @@ module pu_eyes (
   output logic                 eye_o
 );
 
-  logic second_q, data, last;
+  logic       second_q, data, last;
+  logic [1:0] wanted;  // of those, whom the walk is for
 
+  if (pipegs_pkg::WalkEyeW != 0) begin : gen_walks
+    logic one, eye;
+    assign {one, eye} = fetched_i.walk[1:0];
+    assign wanted     = one ? {eye, !eye} : wanted_i;
+  end else begin : gen_whole
+    assign wanted = wanted_i;
+  end
   assign data            = fetched_i.kind == pipegs_pkg::KindData;
-  assign last            = !data || second_q || wanted_i != 2'b11;
-  assign eye_o           = data && (second_q || wanted_i == 2'b10);
+  assign last            = !data || second_q || wanted != 2'b11;
+  assign eye_o           = data && (second_q || wanted == 2'b10);
   assign seen_valid_o    = fetched_valid_i;
   assign seen_o          = fetched_i;
   assign fetched_ready_o = seen_ready_i && last;

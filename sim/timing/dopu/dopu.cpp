@@ -340,7 +340,7 @@ void Dopu::windows(const Machine& m, DopuCycle& cycle) {
   if (cycle.judged) {
     DopuSet& set = sets_[fill_ ^ 1];
     set.judges = false;
-    set.given_up = cycle.parts;
+    set.given_up = cycle.split;
     if (set.given_up != m.trace.walks[next_walk_++].given_up)
       throw std::logic_error("timing model: another judgement than the trace's");
   }

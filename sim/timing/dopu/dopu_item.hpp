@@ -51,7 +51,7 @@ struct DopuCycle {
   const DopuItem* cell = nullptr;   // that the walk of the cells shows
   bool cell_taken = false;
   bool node_taken = false;             // dopu_origin takes what is shown
-  bool judged = false, parts = false;  // the trial is over; it is given up
+  bool judged = false, split = false;  // the trial is over; it is given up
   bool moved = false;                  // as the unit's clock counts it: it runs on
   bool changed = false;                // a register changed: the next cycle must be played
   Cycle next = kNever;                 // what comes by itself

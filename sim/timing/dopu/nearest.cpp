@@ -25,7 +25,7 @@ Nearest::Nearest(const TimingTrace& trace, const Config& config)
       since_most_((uint32_t{1} << (clog2(config.mark_chunks + 1) + 7)) - 1),
       near_step_(dopu_depth_near(trace.config, trace.frame)),
       mark_shift_(config.depth_w - config.step_w()),
-      load_(trace.config, trace.frame.walk_most),
+      load_(trace.config, trace.frame.walk_most, wanted_eyes(trace.config, trace.frame).size() > 1),
       load_cycles_((1 << trace.config.load_w()) / kLoadWord + 4),
       test_cycles_(trace.config.lod ? 14 : 13),
       queue_(std::make_unique<NearestQueue>(config.nearest_nodes)),
@@ -42,7 +42,7 @@ void Nearest::step(DopuCycle& cycle, DopuSets& sets) {
   // dopu_load
   const bool counted = is.through[1] && sets[static_cast<size_t>(set_[1])].judges, read = judge_at_ == now;
   cycle.judged = many_groups_ || read || (counted && load_.fits());
-  cycle.parts = many_groups_ || (read && load_.overfull());
+  cycle.split = many_groups_ || (read && load_.verdict() != Load::kWhole);
   if (counted) judge_at_ = now + (load_.overfull() ? 5 + *load_.overfull() / kLoadWord : load_cycles_);
   enter(cycle, sets, is);
   if (cycle.judged) load_.clear(), many_groups_ = false, judge_at_ = kNever, cycle.changed = true;

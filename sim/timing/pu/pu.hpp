@@ -93,13 +93,12 @@ class Pu {
   const int lane_;
   const bool front_;
   const bool late_, lists_, has_parts_, tight_, four_;
-  const int eyes_;  // that are wanted
 
   Reader reader_;
   bool chunk_room_ = true;  // in the next cycle
 
   // pu_eyes, pu_cull
-  int eye_ = 0;             // of those that are wanted, the one for which the next Gaussian comes
+  int eye_ = 0;             // of those of its walk, the one for which the next Gaussian comes
   std::vector<Beat> pipe_;  // pu_decode, if coded, and pu_cull
   std::vector<uint32_t> pipe_walk_;
   unsigned pipe_at_ = 0;

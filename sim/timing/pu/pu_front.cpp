@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 
-#include "cpp_model/eyes.hpp"
 #include "sim/timing/machine.hpp"
 
 namespace pipegs::timing {
@@ -16,7 +15,6 @@ Pu::Pu(const Machine& m, int lane)
       has_parts_(m.config.parts() > 1),
       tight_(m.config.tight_cull != 0),
       four_(m.config.pace == 4),
-      eyes_(static_cast<int>(wanted_eyes(m.config, m.frame).size())),
       reader_(m.config.gaussians_per_line(), m.frame.tables.gaussians, m.config.geometry_jobs(),
               m.config.geometry_lines()),
       phases_(pu_built(m.config, "project", "conic")),
@@ -88,13 +86,14 @@ void Pu::cull(Machine& m, Cycle now) {
   if (item) {
     const Reader::Job& job = reader_.job();
     reader_walk = job.tag.walk;
-    const int seen = static_cast<int>(reader_.item()) * eyes_ + eye_;  // a Gaussian comes once for each eye (pu_eyes)
+    const int eyes = m.trace.walks[reader_walk].eyes;
+    const int seen = static_cast<int>(reader_.item()) * eyes + eye_;  // a Gaussian comes once for each eye (pu_eyes)
     if (!job.read) {
       entering = job.tag.end;
     } else if ((job.tag.survivors >> seen & 1) != 0) {
       entering = job.tag.first + static_cast<Beat>(std::popcount(job.tag.survivors & ((uint64_t{1} << seen) - 1)));
     }
-    eye_ = job.read && eye_ + 1 < eyes_ ? eye_ + 1 : 0;
+    eye_ = job.read && eye_ + 1 < eyes ? eye_ + 1 : 0;
     if (eye_ == 0) {
       reader_.pop_item(now);
       if (reader_.needs_step(now)) m.wheel.wake_now(unit(kReader, lane_));

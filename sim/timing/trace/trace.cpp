@@ -47,8 +47,7 @@ class WindowTrace {
         frame_(input.frame),
         rows_(rows),
         x_(x),
-        y_(y),
-        eyes_(wanted_eyes(config_, frame_)) {}
+        y_(y) {}
 
   Part run() {
     if (config_.has_watermarks()) {
@@ -79,7 +78,8 @@ class WindowTrace {
     const int side = config_.occlusion ? static_cast<int>(walk_square(config_, walk).side) / 8 : 1;
     for (uint64_t n = 0; n < static_cast<uint64_t>(side); ++n)
       planes_.push_back(dopu_planes(config_, frame_, x_, y_, walk, {n, n, n, n}));
-    part_.walks.push_back({.walk = walk, .first_chunk = part_.chunks.size()});
+    eyes_ = walk_eyes(config_, frame_, walk);
+    part_.walks.push_back({.walk = walk, .eyes = static_cast<int>(eyes_.size()), .first_chunk = part_.chunks.size()});
   }
   // Of a node in this bucket; with watermarks, else nothing asks for it.
   bool passes(const Node& node, int parent) const {
@@ -210,8 +210,8 @@ class WindowTrace {
   const Frame& frame_;
   const PuRows& rows_;
   const int x_, y_;
-  const std::vector<int> eyes_;  // that are wanted
-  std::vector<Planes> planes_;   // of the present walk; with Occlusion also with 1, 2 ... regions of each side closed
+  std::vector<int> eyes_;       // of the present walk
+  std::vector<Planes> planes_;  // of the present walk; with Occlusion also with 1, 2 ... regions of each side closed
   Part part_;
   std::vector<std::vector<TraceSplat>> layers_;
 };

@@ -58,6 +58,7 @@ struct TimingParent {
 struct TimingWalk {
   size_t window = 0;  // of TimingTrace::windows
   uint64_t walk = kWholeWalk;
+  int eyes = 1;  // how many it is for
   bool given_up = false;
   bool ends = true;                                       // its window's last
   size_t first_chunk = 0, chunks = 0;                     // of TimingTrace::chunks_sent

@@ -299,9 +299,6 @@ struct Shrinking : Endpoint {
   std::map<size_t, std::set<std::array<uint64_t, 4>>> seen;  // of each walk
   Shrinking(Bench<Vpipegs_dopu>& b, const Checker& c) : bench(b), checker(c) { b.add(*this); }
   void begin() { walk = ~size_t{0}, seen.clear(), open = {}; }
-  Closed& of(uint64_t number) {
-    return number == kWholeWalk ? open.whole : closed_part(open, walk_part(checker.config, number));
-  }
   void drive() override {
     const Expected* expected = checker.expected;
     if (expected == nullptr || checker.window >= expected->walks.size())
@@ -319,13 +316,14 @@ struct Shrinking : Endpoint {
                           random_open(checker.config, at[0] + 1000, at[1], bench.rng));
     for (size_t next = walk;
          next < expected->walks.size() && expected->at[next][0] == at[0] && expected->at[next][1] == at[1]; ++next) {
-      Closed& closed = of(expected->walks[next]);
+      Closed closed = walk_closed(checker.config, open, expected->walks[next]);
       const auto side = static_cast<uint64_t>(walk_square(checker.config, expected->walks[next]).side) / 8;
       const auto more = [&](uint64_t& one, uint64_t other) {
         if (bench.rng() % rare == 0 && one + other + 1 < side) one += 1 + bench.rng() % (side - one - other - 1);
       };
       more(closed.left, closed.right), more(closed.right, closed.left);
       more(closed.top, closed.bottom), more(closed.bottom, closed.top);
+      close_walk(checker.config, open, expected->walks[next], closed);
       seen[next].insert({closed.left, closed.right, closed.top, closed.bottom});
     }
     write_record(checker.config, bench.dut.open_i, open);

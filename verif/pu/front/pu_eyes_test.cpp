@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// pu_eyes_test: rtl/pu/front/pu_eyes.sv: each Gaussian is shown once for each eye that is wanted, everything else once.
+// pu_eyes_test: rtl/pu/front/pu_eyes.sv: each Gaussian is shown once for each eye that is wanted, or for the one of its
+// walk, everything else once.
+#include "cpp_model/dopu/walk.hpp"
 #include "Vpu_eyes.h"
 #include "verif/support/bench.hpp"
 #include "verif/support/config.hpp"
@@ -29,7 +31,9 @@ TEST(PuEyes, ShowEachGaussianToThoseThatAreWanted) {
           in.kind = bench.rng() % 4 == 0 ? kLayerEnd : kData;
           source.push(in);
           for (int eye = 0; eye < 2; ++eye) {
-            if (in.kind == kData ? (wanted >> eye & 1) == 0 : eye != 0) continue;
+            const bool one = walk_eye(config, in.walk) != kAllEyes;
+            const bool seen = one ? walk_eye(config, in.walk) == eye : (wanted >> eye & 1) != 0;
+            if (in.kind == kData ? !seen : eye != 0) continue;
             expected.push_back(in);
             expected_eyes.push_back(eye);
           }
