@@ -30,7 +30,7 @@ mutant dopu_windows "a window that goes by parts is done with its first part" \
 mutant dopu_windows "the part behind the right one is the one below it, seen or not" \
        's/part_q\[0\] \|\| !right_in/part_q[0]/' \
        dopu_nearest_fast
-mutant dopu_windows "a part is on trial, too" 's/(on_trial = judges_i) && !parts_q/\1/' dopu_nearest_fast
+mutant dopu_windows "a part is on trial, too" 's/(on_trial  = judges_i) && !parts_q/\1/' dopu_nearest_fast
 mutant dopu_nearest "a window on trial opens groups" 's/!held_back && open_ready/open_ready/' dopu_nearest_fast
 mutant pipegs_dopu "the end of a walk that is given up goes to the PUs" \
        's/(given_up    = walk_end) && /\1 \&\& 1'"'"'b0 \&\& /' dopu_nearest_fast
@@ -126,7 +126,7 @@ mutant pu_cull_axis "one region short on the right or below" "s/aside\(closed_fa
 mutant pipegs_closed "what is closed of another window" \
        's/ && \{open_i.window_y, open_i.window_x\} == place_i\[2\*WindowW-1:0\]//' pu_cull_occlusion
 mutant pipegs_closed "the open mask of another part" \
-       "s/(3'd5: walk = open_i.part_)1/\10/" pu_cull_occlusion
+       "s/(3'd5: first = open_i.part_)1/\10/" pu_cull_occlusion
 mutant pipegs_open "one region short on the left" "s/, from_low\(x\)\}/, ClosedW'(from_low(x) + (x != 0))}/" open
 mutant pipegs_open "RUs in two windows are heard together" "s/here == '1/1'b1/" open
 mutant pipegs_open "an RU closes regions that are not its own" 's/ & \{Parts\{own\}\}//' open
@@ -406,7 +406,7 @@ mutant ru_drain "raster order: every word is two requests" 's/ \|\| !place_two\)
 mutant ru_drain "no slot goes first" "s/first != '0 \? first : left/left/"
 mutant ru_live "a layer's end hands the regions over" 's/start_i\(window_done_o\)/start_i(layer_done_o)/'
 mutant ru_live "rows of quads are read as if all began with the same group" 's/(Odd = \(Even \+ )2/\10/'
-mutant ru_live "the banks are shown to the drain a cycle too early" 's/(BankW\{job_q\[)2/\11/'
+mutant ru_live "the banks are shown to the drain a cycle too early" 's/(StoredW\{job_q\[)2/\11/'
 mutant ru_live "done of the window before is shown in the next one" 's/ && !clear_q( && slots_stopped)/\1/'
 
 # --- rtl/ru/aovs ------------------------------------------------------------------------------------------------------
@@ -431,15 +431,27 @@ mutant pipegs_errors "AOVs that have no room are written" \
 # --- two eyes: in the modules that know of them -----------------------------------------------------------------------
 group eyes "Two eyes in one walk (\`eyes\`)"
 mutant pu_eyes "the second eye's view is shown of ends, too" 's/(last            = )!data \|\| /\1/' pu_eyes
-mutant pu_eyes "the right eye alone is shown as the left one" "s/ \|\| wanted_i == 2'b10\);/);/" pu_eyes
+mutant pu_eyes "the right eye alone is shown as the left one" "s/ \|\| wanted == 2'b10\);/);/" pu_eyes
 mutant pu_cull "half the way between the eyes is cut" \
        "s/\(twice \+ \\\$signed\(\(HalfW \+ 1\)'\(1\)\)\) >>> 1/twice >>> 1/" \
        pu_cull_eyes
 mutant pu_cull "both eyes stand in one place" 's/eye \? -rounded : rounded/rounded/' pu_cull_eyes
 mutant pu_cull "the eyes are as far apart down as they are to the right" \
        's/shift\(half_y_i/shift(half_x_i/' pu_cull_eyes
-mutant dopu_test "boxes do not reach to the eyes on the right" \
-       's/(delta \+ .*node0.half_exp\)) \+ reach/\1/' dopu_test_eyes
+mutant dopu_test "the left plane stays where one eye has it" 's/(assign lower       = ).*/\1beside;/' dopu_test_eyes
+mutant dopu_test "one eye's right plane moves to the other's side" 's/eye != axis_q.negative/eye == axis_q.negative/' \
+       dopu_test_eyes
+mutant dopu_test "what flooring takes off a reach is lost" "s/ \+ TestW'\(axis_q.reach != '0\)//" dopu_test_eyes
+mutant dopu_test "no room for the sum of scale and reach" 's/(eyes_length\) : length\)) \+ 1.b1/\1/' dopu_test_eyes
+mutant dopu_load "both eyes may hold as much as one" 's/pair_i \? most >> 1 : most/most/' dopu_load_eyes
+mutant dopu_load "only the last word says what is too much for both" 's/(crowded = some) \|\| some_q/\1/' dopu_load_eyes
+mutant dopu_windows "a window ends with its first eye" 's/ && \(!eyes_q \|\| eye_q == last_eye\)//' dopu_nearest_eyes
+mutant dopu_windows "a walk is done when the other eye's regions are" "s/(\[2\*WindowW\]) != 1'\(p/\1 == 1'(p/" \
+       dopu_nearest_eyes
+mutant pipegs_dopu "an eye's walk has the planes of both" 's/!pair \|\| set_place\[s.*/!pair;/' dopu_nearest_eyes
+mutant pipegs_closed "what is closed of the other eye" "s/(5'b10000: walk = open_i.eye_)0/\11/" dopu_nearest_eyes
+mutant pipegs_open "an eye's regions count for the first one" 's/eye_rows\[p\/Squares\*SideX/eye_rows[0*SideX/' open_eyes
+mutant pu_eyes "a walk of one eye shows both" 's/one \? \{eye, !eye\} : wanted_i/wanted_i/' pu_eyes_walks
 mutant dopu_origin "the unit of view space leaves no room for the eyes" "s/(own > eyes \? own : eyes\)) \+ 1'b1/\1/" \
        dopu_nearest_eyes
 mutant pu_deal "the other eye's view goes to any PU" 's/paired \? last_q : in_turn/in_turn/' pu_deal_eyes
@@ -715,7 +727,7 @@ mutant pu_parts "a mean keeps its place in the second row of parts" \
 mutant pu_parts "the second row begins with its second part" 's/last_column \? from_x_q : /last_column ? to_x_q : /'
 mutant pu_parts "the payload of a Gaussian without a part stays" \
        's/payload_take  = conic_ready_o && data/payload_take  = conic_ready_o \&\& data \&\& !none/'
-mutant ru_place "column and row of a part change places" 's/part_row, part_column, row/part_column, part_row, row/' \
+mutant ru_place "column and row of a square change places" 's/square_row, square_column, row/square_column, square_row, row/' \
        ru_live_parts
 mutant pu_compensate "rounding: one is not added" "s/ \+ FallW'\(1\)//" pu_shape_open
 mutant pipegs_log2 "rounding: half becomes one" 's/<< \(DropF - 1\)/<< DropF/'
