@@ -12,7 +12,7 @@ from sources import settings
 
 QUANTITIES = ("cycles", "bytes", "mm2", "psnr_numeric_db", "psnr_order_db", "psnr_total_db")
 # Options that make it another frame.
-OTHER = re.compile(r"--(?:scale|window|crop|path|views|memory|library|walk-most|lod-pixels|picture) \S+")
+OTHER = re.compile(r"--(?:scale|window|crop|path|views|memory|library|walk-most|lod-pixels|picture|stereo|gaze) \S+")
 
 
 def leaves(value, name):

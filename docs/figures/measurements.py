@@ -85,6 +85,13 @@ MEMORIES = {  # settings of the design point
             "tight_cull=1 tight_boxes=1 occlusion=1 tests=2 pace=4 alpha_w=10 pixel_w=32 records=1408 bucket_bits=7 "
             "nearest_nodes=1024 mark_chunks=7",
 }
+PAIRED = ("own", "terrace", "flowers", "showroom")  # for two eyes
+APART, ASIDE = 0.065, 4  # the way between them; an absurd one
+WAYS = {"near": 0, "pair": APART, "wide": ASIDE}
+GAZES = {"own": "512,384,128,256", "terrace": "648,420,128,256", "showroom": "666,438,128,256"}  # the middle
+HEADSET = ("eyes=2", "aov_coverage=1", "aov_depth=1", "aov_median=1", "aov_index=1")
+HEADSET_SETS = " ".join(f"--set {one}" for one in (*HEADSET, ",".join(HEADSET)))
+ALONE = "--views 0-0 --design fast"  # one frame as a sequence, which has its joules
 BY_BANDWIDTH = ("baseline", "dop", "exact", "fast")
 CHANNELS = (1, 2, 8)  # of LPDDR5-6400, 12.8 GB/s each; the default has 4
 STABILITY = ("input", "shape", "view", "alpha", "order", "beyond", "wrap", "sanitize", "budget", "stress")
@@ -136,6 +143,15 @@ TABLE = [
                 points=("fast",), read=shown),
     *[Measurement(f"prices/{scene}", f"build/pipegs what-if {{scene}} {TRADED_SETS} --json", PRICED,
                   scene, points=("fast",)) for scene in ("own", "showroom")],
+    Measurement("prices/headset", f"build/pipegs what-if {HEADSET_SETS} --json", PRICED, points=("fast",)),
+    *[Measurement(f"pairs/{scene}_{name}", f"build/pipegs sim {{scene}} {ALONE} --set eyes=2 --stereo {way} --no-rtl "
+                  f"--frames none --out build/pairs --json", PRICED, scene, None, ("fast",))
+      for scene in PAIRED for name, way in WAYS.items()],
+    *[Measurement(f"pairs/{scene}_one", f"build/pipegs sim {{scene}} {ALONE} --no-rtl --frames none --out build/pairs "
+                  "--json", PRICED, scene, None, ("fast",)) for scene in PAIRED],
+    *[Measurement(f"gaze/{scene}", f"build/pipegs sim {{scene}} --design fast --gaze {gaze} --truth --no-rtl "
+                  "--frames none --out build/gaze --json", PRICED, scene, points=("fast",))
+      for scene, gaze in GAZES.items()],
     Measurement("shapes/own", "build/pipegs study shapes --design fast --runs 24 --json", PRICED, points=("fast",),
                 chart="shapes_own.svg"),
     Measurement("accuracy/own", f"build/pipegs accuracy --design exact --knobs {','.join(KNOBS)} --points 0 "
@@ -164,6 +180,9 @@ TABLE = [
                   points=(point,)) for point in ("fast", "dop")],
     *[Measurement(f"rtl/{scene}_fast", "build/pipegs sim {scene} --design fast --no-truth --json", RTL, scene,
                   points=("fast",)) for scene in SIX if scene != "terrace"],
+    *[Measurement(f"eyes/{scene}", f"build/pipegs sim {{scene}} --design fast --set eyes=2 --stereo {APART} --no-truth "
+                  "--out build/eyes --json", RTL, scene, points=("fast",),
+                  picture=("own_eyes.png", "eyes/frame.png") if scene == "own" else ()) for scene in PAIRED],
     Measurement("rtl/terrace_wide", "build/pipegs sim {scene} --design wide --memory lpddr5-6400x8 --no-truth --json",
                 RTL, "terrace", points=("wide",)),
     Measurement("rtl/own_raster", "build/pipegs sim --design fast --no-truth --picture raster --json", RTL,
