@@ -222,7 +222,7 @@ module dopu_windows (
     logic [1:0] part_q;          // the next one of them
     logic       right_in, lower_in;  // the right column, the lower row have pixels
     logic       eyes_q, eye_q, last_eye;  // the window goes eye by eye: the next one, and the last
-    logic       part_ends;
+    logic       part_ends, by_parts;  // by_parts: the walk on trial is given up for those of parts
     assign right_in = PixelW'({x, 1'b1}) << HalfF < PixelW'(raster_i.width);
     assign lower_in = PixelW'({y, 1'b1}) << HalfF < PixelW'(raster_i.height);
     assign part_ends = !parts_q || part_q == {lower_in, right_in};
@@ -233,12 +233,13 @@ module dopu_windows (
         parts_q <= 1'b0;
         part_q  <= '0;
       end else begin
-        parts_q <= (parts_q && !next) || (split && parts_i);
+        parts_q <= (parts_q && !next) || by_parts;
         if (next || (fill && part_ends)) part_q <= '0;
         else if (fill && parts_q) part_q <= part_q[0] || !right_in ? 2'd2 : part_q + 1'b1;
       end
     end
     if (pipegs_pkg::Eyes > 1) begin : gen_eyes
+      assign by_parts = split && parts_i;
       assign last_eye = raster_i.eyes[1];
       assign place    = {parts_q, part_q, eyes_q, eye_q, y, x};
       always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -256,14 +257,17 @@ module dopu_windows (
       assign eyes_q   = 1'b0;
       assign eye_q    = 1'b0;
       assign last_eye = 1'b0;
+      assign by_parts = split;
       assign place    = {parts_q, part_q, y, x};
+      logic unused_parts;
+      assign unused_parts = parts_i;
     end
   end else begin : gen_whole
     assign on_trial = 1'b0;
     assign ends     = 1'b1;
     assign place    = {y, x};
     logic unused_judges;
-    assign unused_judges = judges_i;
+    assign unused_judges = judges_i || parts_i;
   end
 
   // --- done feedback ------------------------------------------------------------------------------------------------

@@ -317,7 +317,10 @@ mutant "the RUs are heard while they finish the frame before" 's/(listen_o *= )!
 
 # Of a window with parts that may be walked alone, and of smaller ones.
 proof  open "pipegs_open+ ru_own" "@late=1,order=2,window=32,occlusion=1;
-       @late=1,order=2,window=128,quads=1,occlusion=1; @late=1,order=2,window=32,units=2,occlusion=1"
+       @late=1,order=2,window=128,quads=1,occlusion=1; @late=1,order=2,window=32,units=2,occlusion=1;
+       @late=1,order=2,window=128,quads=1,pixel_w=32,occlusion=1,eyes=2,units=2"
+mutant "an eye's rows are those of the first one" 's/eye_rows\[p\/Squares\*SideX/eye_rows[0*SideX/' \
+       "@late=1,order=2,window=128,quads=1,pixel_w=32,occlusion=1,eyes=2,units=2"
 mutant "one region short on the left" "s/from_low\(x\)\}/ClosedW'(from_low(x) + (x != 0))}/"
 mutant "one region short on the right" "s/from_high\(x, side\),/ClosedW'(from_high(x, side) + (x != 0)),/"
 mutant "one region short above" "s/from_low\(y\),/ClosedW'(from_low(y) + (y != 0)),/"
@@ -444,6 +447,15 @@ mutant "a record goes to all" "s/give \? \(item_read \? target : '1\)/give ? ('1
 mutant "an SU that has not taken the record loses it" "s/assign free       = .*/assign free = 1;/"
 mutant "one window too many" "s/left_q   <= windows - LeftW'\(1\)/left_q <= windows/"
 
+# A Gaussian's eyes, and where walks may be of one alone.
+proof  pu_eyes "pu_eyes+" "@late=1,order=2,window=64,quads=1,pixel_w=32,eyes=2;
+       @late=1,order=2,window=128,quads=1,pixel_w=32,eyes=2"
+mutant "a Gaussian is taken when the first eye has seen it" "s/second_q \|\| wanted != 2'b11/1'b1/"
+mutant "an end is shown to both" 's/(last            = )!data \|\| /\1/'
+mutant "the right eye alone is shown as the left one" "s/ \|\| wanted == 2'b10\);/);/"
+mutant "a walk of one eye shows both" 's/one \? \{eye, !eye\} : wanted_i/wanted_i/' \
+       "@late=1,order=2,window=128,quads=1,pixel_w=32,eyes=2"
+
 # --- rtl/dopu ---------------------------------------------------------------------------------------------------------
 # Two sets of planes take turns, on the machine that walks windows and the one that walks the whole frame.
 proof  dopu_planes "dopu_planes+ pipegs_bit_length" "@default"
@@ -452,12 +464,24 @@ proof  dopu_windows "dopu_windows+ free_planes pipegs_window_walk pipegs_closed"
        "@late=1,order=2,window=128,quads=1 %Regions=8 %RegionW=3 %MaskW=2 %PlaneBits=1 %WindowW=3 %PlaceW=9;
   @order=1 %Regions=8 %RegionW=3; @default %Regions=8 %RegionW=3;
   @late=1,order=2,window=128,quads=1,occlusion=1 %Regions=8 %RegionW=3 %MaskW=2 %PlaneBits=1 %WindowW=3 %PlaceW=9
-  %ClosedW=1 %ClosedBits=4 %OpenBits=27"
+  %ClosedW=1 %ClosedBits=4 %OpenBits=27;
+  @late=1,order=2,window=128,quads=1,pixel_w=32,eyes=2,occlusion=1 %Regions=16 %RegionW=4 %MaskW=2 %PlaneBits=1
+  %WindowW=3 %PlaceW=11 %ClosedW=1 %ClosedBits=4 %EyeClosedW=1 %EyeClosedBits=4 %OpenBits=51"
 mutant "a set is overwritten before it is released" 's/planes_ready = !valid_q\[fill_q\]/planes_ready = 1/'
 mutant "a release clears the set filled next instead of the oldest" 's/valid_q\[oldest_q\] <= /valid_q[fill_q] <= /'
 mutant "a set is called done for the window that it held before" \
        's/(set_done_o += \(done_q \| given_q\)) \& valid_q/\1/'
 mutant "a part of a window is left out" "s/2'd2 : part_q/2'd3 : part_q/"
+mutant "a window ends with its first eye" 's/ \&\& \(!eyes_q \|\| eye_q == last_eye\)//' \
+       "@late=1,order=2,window=128,quads=1,pixel_w=32,eyes=2,occlusion=1 %Regions=16 %RegionW=4 %MaskW=2 %PlaneBits=1
+  %WindowW=3 %PlaceW=11 %ClosedW=1 %ClosedBits=4 %EyeClosedW=1 %EyeClosedBits=4 %OpenBits=51"
+mutant "the second eye begins with the part behind the first eye's last one" \
+       's/next \|\| \(fill && part_ends\)/next/' \
+       "@late=1,order=2,window=128,quads=1,pixel_w=32,eyes=2,occlusion=1 %Regions=16 %RegionW=4 %MaskW=2 %PlaneBits=1
+  %WindowW=3 %PlaceW=11 %ClosedW=1 %ClosedBits=4 %EyeClosedW=1 %EyeClosedBits=4 %OpenBits=51"
+mutant "a walk is done when the regions of the other eye are" "s/(\[2\*WindowW\]) != 1'\(p/\1 == 1'(p/" \
+       "@late=1,order=2,window=128,quads=1,pixel_w=32,eyes=2,occlusion=1 %Regions=16 %RegionW=4 %MaskW=2 %PlaneBits=1
+  %WindowW=3 %PlaceW=11 %ClosedW=1 %ClosedBits=4 %EyeClosedW=1 %EyeClosedBits=4 %OpenBits=51"
 mutant "a window stays in parts" 's/\(parts_q && !next\)/parts_q/'
 mutant "a set is filled while another one is on trial" 's/ && !judges_q;/;/'
 mutant "the open mask of another part" 's/place_q\[refit_pick\]\)/place_q[!refit_pick])/' \

@@ -7,7 +7,8 @@
 // Assumes Within a window an RU opens no region again.
 
 (* anyconst *) logic [$clog2(Regions)-1:0] region;
-(* anyconst *) logic [2:0]                 walk;  // 0 the window, 1 to 4 a part
+(* anyconst *) logic [3:0]                 walk;  // 0 the window, 1 to 8 a part, 9 and 10 the window for one eye
+localparam int unsigned Walks = pipegs_pkg::WalkEyeW != 0 ? 11 : 5;
 localparam int unsigned WindowW = pipegs_pkg::WindowW;
 localparam int unsigned DoneW   = Units * Regions;
 localparam int unsigned PlaceAt = Units * WindowW;
@@ -15,7 +16,9 @@ logic [DoneW+2*PlaceAt-1:0] progress, progress_before_q;  // windows above what 
 assign progress = progress_i;
 pipegs_pkg::open_t     open_before_q;
 logic                  two_q;  // what was before is what came in
+logic [Walks*Bits-1:0] all, all_before_q;
 logic [Bits-1:0]       now, before;
+logic                  whole;
 logic [31:0]           number, in_part, x, y, side;  // of the region: its part, its place in the walk
 logic                  region_open_q, in_walk, some_q, same;
 
@@ -23,10 +26,23 @@ proof_reset u_proof_reset (.clk_i, .rst_ni);
 
 assign number  = 32'(region) / MaskW;
 assign in_part = 32'(region) % MaskW;
-assign in_walk = walk == 3'd0 || (32'(walk) == number + 1 && pipegs_pkg::HasWalks);
-assign side    = walk == 3'd0 ? SideX : PartX;
-assign x       = (walk == 3'd0 ? number % PartsX * PartX : 0) + in_part % PartX;
-assign y       = (walk == 3'd0 ? number / PartsX * PartX : 0) + in_part / PartX;
+function automatic logic has_part(input logic [31:0] part);
+  has_part = walk == 4'd0 || (walk <= 4'd8 ? 32'(walk) == part + 1 && pipegs_pkg::HasWalks
+                                           : 32'(walk) == part / Squares + 9);
+endfunction
+assign in_walk = has_part(number);
+assign whole   = walk == 4'd0 || walk > 4'd8;
+assign side    = whole ? SideX : PartX;
+assign x       = (whole ? number % PartsX * PartX : 0) + in_part % PartX;
+assign y       = (whole ? number % Squares / PartsX * PartX : 0) + in_part / PartX;
+if (pipegs_pkg::WalkEyeW != 0) begin : gen_all_eyes
+  assign all = {open_q.eye_1, open_q.eye_0, open_q.part_7, open_q.part_6, open_q.part_5, open_q.part_4,
+                open_q.part_3, open_q.part_2, open_q.part_1, open_q.part_0, open_q.whole};
+end else begin : gen_all
+  assign all = {open_q.part_3, open_q.part_2, open_q.part_1, open_q.part_0, open_q.whole};
+end
+assign now    = all[32'(walk)*Bits +: Bits];
+assign before = all_before_q[32'(walk)*Bits +: Bits];
 
 logic region_open, some;
 always_comb begin
@@ -37,15 +53,8 @@ always_comb begin
       region_open = 1'b0;
   end
   for (int unsigned r = 0; r < Regions; r += 1) begin
-    if (walk == 3'd0 || r / MaskW + 1 == 32'(walk)) some |= open[r];
+    if (whole ? has_part(r / MaskW) : r / MaskW + 1 == 32'(walk)) some |= open[r];
   end
-  case (walk)
-    3'd1: {now, before} = {open_q.part_0, open_before_q.part_0};
-    3'd2: {now, before} = {open_q.part_1, open_before_q.part_1};
-    3'd3: {now, before} = {open_q.part_2, open_before_q.part_2};
-    3'd4: {now, before} = {open_q.part_3, open_before_q.part_3};
-    default: {now, before} = {open_q.whole, open_before_q.whole};
-  endcase
 end
 always_ff @(posedge clk_i or negedge rst_ni) begin
   if (!rst_ni) begin
@@ -53,11 +62,13 @@ always_ff @(posedge clk_i or negedge rst_ni) begin
     region_open_q <= 1'b0;
     some_q        <= 1'b0;
     open_before_q <= '0;
+    all_before_q  <= '0;
   end else begin
     two_q         <= 1'b1;
     region_open_q <= region_open;
     some_q        <= some;
     open_before_q <= open_q;
+    all_before_q  <= all;
   end
 end
 always_ff @(posedge clk_i) progress_before_q <= progress;
@@ -65,7 +76,7 @@ always_ff @(posedge clk_i) progress_before_q <= progress;
 assign same = progress[DoneW +: 2*PlaceAt] == progress_before_q[DoneW +: 2*PlaceAt];
 always_comb begin
   assume (32'(region) < Regions);
-  assume (walk <= 3'd4);
+  assume (32'(walk) < Walks);
   assume (!rst_ni || !two_q || !same || (progress_before_q[0 +: DoneW] & ~progress[0 +: DoneW]) == '0);
   if (rst_ni && open_q.known) begin
     if (in_walk && region_open_q) begin
