@@ -83,8 +83,7 @@ Rgb8 cropped(const Rgb8& picture, const PixelRect& part) {
   return out;
 }
 
-Image crop_window(const Image& image, const SimulateOptions& options) {
-  const PixelRect r = asked_pixels(image.width, image.height, options);
+Image cropped(const Image& image, const PixelRect& r) {
   Image part(r.x1 - r.x0, r.y1 - r.y0);
   part.median.resize(image.median.empty() ? 0 : part.depth.size());
   part.index.resize(image.index.empty() ? 0 : part.depth.size());
@@ -100,6 +99,10 @@ Image crop_window(const Image& image, const SimulateOptions& options) {
     }
   }
   return part;
+}
+
+Image crop_window(const Image& image, const SimulateOptions& options) {
+  return cropped(image, asked_pixels(image.width, image.height, options));
 }
 
 namespace {

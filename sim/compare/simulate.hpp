@@ -134,8 +134,9 @@ std::vector<MemoryTraffic> memory_traffic(const Config& config, const ExternalMe
 // are not all inside.
 PixelRect asked_pixels(int width, int height, const SimulateOptions& options);
 
-// These pixels of an 8-bit picture; all of them are inside.
+// These pixels of a picture; all of them are inside.
 Rgb8 cropped(const Rgb8& picture, const PixelRect& part);
+Image cropped(const Image& image, const PixelRect& part);
 
 // The part of an image that was asked for.
 Image crop_window(const Image& image, const SimulateOptions& options);

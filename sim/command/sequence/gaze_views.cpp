@@ -13,15 +13,8 @@ namespace {
 
 // One eye's picture of a pair.
 Image half_of(const Image& pair, int eye, int eyes) {
-  Image image(pair.width / eyes, pair.height);
-  for (int y = 0; y < image.height; ++y) {
-    for (int x = 0; x < image.width; ++x) {
-      const size_t to = image.at(x, y), from = pair.at(eye * image.width + x, y);
-      image.rgb[to] = pair.rgb[from];
-      image.transmittance[to] = pair.transmittance[from];
-    }
-  }
-  return image;
+  const int width = pair.width / eyes;
+  return cropped(pair, {eye * width, 0, (eye + 1) * width, pair.height});
 }
 
 double squared(const glm::dvec3& a, const glm::dvec3& b) {

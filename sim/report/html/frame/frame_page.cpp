@@ -50,9 +50,7 @@ struct Truths {
 
 Truths truths_of(const Simulation& simulation, int width) {
   const auto eye = [&](const Image& both) {
-    SimulateOptions first;
-    first.crop = PixelRect{0, 0, width, both.height};
-    return both.width > width ? crop_window(both, first) : both;
+    return both.width > width ? cropped(both, {0, 0, width, both.height}) : both;
   };
   return {eye(simulation.truth_order), eye(simulation.truth_exact), eye(simulation.truth_inria)};
 }
