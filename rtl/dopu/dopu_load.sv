@@ -56,7 +56,7 @@ module dopu_load #(
 
   assign most     = most_i[MostW-1:ChunkF];
   assign judges_o = most_i != '0;
-  assign together = pair_i ? most >> 1 : most;
+  assign together = pipegs_pkg::Eyes > 1 && pair_i ? most >> 1 : most;
   assign fits     = (MostW-ChunkF)'(sum_q) <= together;
   assign judged_o = (counted_i && fits) || parts_q || eyes_q || whole_q;
   assign split_o  = parts_q || eyes_q;

@@ -279,8 +279,15 @@ module dopu_test #(
     end
   end
   assign nearest   = Ranks && third_q != '0;
-  assign operand_a = first_q != '0 ? near_q : second_q != '0 ? moved_q.right : moved_q.bottom;
-  assign operand_b = first_q != '0 ? moved_q.left : moved_q.top;
+  if (pipegs_pkg::Eyes > 1) begin : gen_moved
+    assign operand_a = first_q != '0 ? near_q : second_q != '0 ? moved_q.right : moved_q.bottom;
+    assign operand_b = first_q != '0 ? moved_q.left : moved_q.top;
+  end else begin : gen_scale  // all four are one
+    assign operand_a = first_q != '0 ? near_q : moved_q.left;
+    assign operand_b = moved_q.left;
+    logic unused_moved;
+    assign unused_moved = ^moved_q;
+  end
 
   // --- which box counts; the corner of the means that is nearest to the near plane -----------------------------------
   logic signed [TestW-1:0] nearest_x, nearest_y, nearest_z;

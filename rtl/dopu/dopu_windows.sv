@@ -223,6 +223,7 @@ module dopu_windows (
     logic       right_in, lower_in;  // the right column, the lower row have pixels
     logic       eyes_q, eye_q, last_eye;  // the window goes eye by eye: the next one, and the last
     logic       part_ends, by_parts;  // by_parts: the walk on trial is given up for those of parts
+    logic       eye_turns;  // its last part is filled
     assign right_in = PixelW'({x, 1'b1}) << HalfF < PixelW'(raster_i.width);
     assign lower_in = PixelW'({y, 1'b1}) << HalfF < PixelW'(raster_i.height);
     assign part_ends = !parts_q || part_q == {lower_in, right_in};
@@ -234,14 +235,15 @@ module dopu_windows (
         part_q  <= '0;
       end else begin
         parts_q <= (parts_q && !next) || by_parts;
-        if (next || (fill && part_ends)) part_q <= '0;
+        if (next || eye_turns) part_q <= '0;
         else if (fill && parts_q) part_q <= part_q[0] || !right_in ? 2'd2 : part_q + 1'b1;
       end
     end
     if (pipegs_pkg::Eyes > 1) begin : gen_eyes
-      assign by_parts = split && parts_i;
-      assign last_eye = raster_i.eyes[1];
-      assign place    = {parts_q, part_q, eyes_q, eye_q, y, x};
+      assign by_parts  = split && parts_i;
+      assign eye_turns = fill && part_ends;
+      assign last_eye  = raster_i.eyes[1];
+      assign place     = {parts_q, part_q, eyes_q, eye_q, y, x};
       always_ff @(posedge clk_i or negedge rst_ni) begin
         if (!rst_ni) begin
           eyes_q <= 1'b0;
@@ -250,15 +252,16 @@ module dopu_windows (
           eyes_q <= (eyes_q && !next) || split;
           if (next) eye_q <= 1'b0;
           else if (split) eye_q <= !raster_i.eyes[0];
-          else if (fill && eyes_q && part_ends) eye_q <= 1'b1;
+          else if (eye_turns && eyes_q) eye_q <= 1'b1;
         end
       end
     end else begin : gen_one_eye
-      assign eyes_q   = 1'b0;
-      assign eye_q    = 1'b0;
-      assign last_eye = 1'b0;
-      assign by_parts = split;
-      assign place    = {parts_q, part_q, y, x};
+      assign eyes_q    = 1'b0;
+      assign eye_q     = 1'b0;
+      assign last_eye  = 1'b0;
+      assign by_parts  = split;
+      assign eye_turns = 1'b0;
+      assign place     = {parts_q, part_q, y, x};
       logic unused_parts;
       assign unused_parts = parts_i;
     end

@@ -138,7 +138,7 @@ module pipegs_dopu (
     assign split  = 1'b0;
     assign parts  = 1'b0;
     logic unused_load;
-    assign unused_load = &{1'b0, group_valid, group_chunks, group_near, group_far, counted};
+    assign unused_load = &{1'b0, group_valid, group_chunks, group_near, group_far, counted, pair};
   end
 
   // --- cells --------------------------------------------------------------------------------------------------------

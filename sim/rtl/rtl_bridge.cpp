@@ -46,8 +46,8 @@ struct Widths {
         taps(c.taps != 0) {}
   int units, tap_lanes, splat, sorted, request, kind, region, index, window, line, pixels, address, tag, burst, bus;
   AxiWidths axi;
-  uint64_t aovs;
   int pixel_lines, raster_rows;  // what is written of a window inside the image, in either format of the picture
+  uint64_t aovs;
   bool taps;                     // the streams show
 };
 

@@ -476,7 +476,7 @@ mutant "a window ends with its first eye" 's/ \&\& \(!eyes_q \|\| eye_q == last_
        "@late=1,order=2,window=128,quads=1,pixel_w=32,eyes=2,occlusion=1 %Regions=16 %RegionW=4 %MaskW=2 %PlaneBits=1
   %WindowW=3 %PlaceW=11 %ClosedW=1 %ClosedBits=4 %EyeClosedW=1 %EyeClosedBits=4 %OpenBits=51"
 mutant "the second eye begins with the part behind the first eye's last one" \
-       's/next \|\| \(fill && part_ends\)/next/' \
+       's/next \|\| eye_turns/next/' \
        "@late=1,order=2,window=128,quads=1,pixel_w=32,eyes=2,occlusion=1 %Regions=16 %RegionW=4 %MaskW=2 %PlaneBits=1
   %WindowW=3 %PlaceW=11 %ClosedW=1 %ClosedBits=4 %EyeClosedW=1 %EyeClosedBits=4 %OpenBits=51"
 mutant "a walk is done when the regions of the other eye are" "s/(\[2\*WindowW\]) != 1'\(p/\1 == 1'(p/" \

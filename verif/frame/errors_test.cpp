@@ -54,7 +54,7 @@ class ErrorFrame : public RtlTaps {
     ExternalMemory memory(options_.memory, config().bus_w);
     memory.load(image.lines);
     memory.set_lines(frame.tables.overflow + areas.overflow);
-    SequenceCheck check({{&simulation_.input, &simulation_.golden.pixels, areas}}, memory, this);
+    SequenceCheck check({{&simulation_.input, &simulation_.golden, areas}}, memory, this);
     RtlTaps& taps = compares ? static_cast<RtlTaps&>(check) : *this;
     std::optional<MachineError> found;
     frames_ = 0;

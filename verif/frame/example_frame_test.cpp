@@ -41,7 +41,7 @@ TEST(ExampleFrame, TheExampleRendersAFrame) {
   }
 
   const Areas areas = frame_areas(options.config, *input.packed, input.frame);
-  SequenceCheck check({{&input, &simulation.golden.pixels, areas}}, memory, nullptr);
+  SequenceCheck check({{&input, &simulation.golden, areas}}, memory, nullptr);
   int result = -1;
   const auto program = [&](const pipegs_bus& machine) {
     bus = &machine;

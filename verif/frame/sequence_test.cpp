@@ -263,7 +263,7 @@ TEST(Sequence, AMemoryThatFallsSilentIsGotOver) {
       options.rtl.disturbances = {{0, 900, RtlDisturbance::Kind::kSilence, silence, 20000}};
       ExternalMemory memory(options.memory, options.config.bus_w);
       memory.load(memory_image(simulation.packed).lines);
-      SequenceCheck check({{&simulation.input, &simulation.golden.pixels, areas}}, memory, nullptr);
+      SequenceCheck check({{&simulation.input, &simulation.golden, areas}}, memory, nullptr);
       const RtlResult result = model->run({job}, memory, options.rtl, &check, {});
       EXPECT_EQ(result.errors, told);
       EXPECT_EQ(check.complete(), 1u);

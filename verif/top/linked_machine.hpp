@@ -25,7 +25,7 @@ inline RtlResult run_linked(RtlModel& machine, const SimulateOptions& options, c
   uint64_t overflow = 0;  // one place for all
   for (const Simulation* one : frames) {
     const GoldenInput& input = one->input;
-    expected.push_back({&input, &one->golden.pixels, frame_areas(options.config, packed, input.frame, input.picture)});
+    expected.push_back({&input, &one->golden, frame_areas(options.config, packed, input.frame, input.picture)});
     overflow = std::max(overflow, expected.back().areas.overflow);
   }
   std::vector<pipegs_job> jobs;

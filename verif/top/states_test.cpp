@@ -207,7 +207,7 @@ TEST_F(States, ChunksThatAreWrongAreHeard) {
   run();
   const ExternalMemory memory({}, options().config.bus_w);
   const GoldenInput& input = simulation_.input;
-  const SequenceCheck::Expected frame = {&input, &simulation_.golden.pixels,
+  const SequenceCheck::Expected frame = {&input, &simulation_.golden,
                                          frame_areas(options().config, *input.packed, input.frame)};
   const auto with = [](const Chunk& chunk, auto field, int64_t step) {
     Chunk other = chunk;
@@ -274,7 +274,7 @@ TEST_F(States, RequestsOutsideOfTheirAreasAreHeard) {
                              {2 * units, false, at.pixels, 1, "no read"},
                              {0, true, at.overflow, 1, "no write"}}) {  // no alphas go to memory
     SCOPED_TRACE(fmt::format("port {} {} line {}", one.tag, one.write ? "writes" : "reads", one.line));
-    SequenceCheck check({{&input, &simulation_.golden.pixels, areas}}, memory, nullptr);
+    SequenceCheck check({{&input, &simulation_.golden, areas}}, memory, nullptr);
     check.on_request(one.tag, one.write, one.line, one.lines);
     ASSERT_EQ(check.frame(0).mismatches(), one.expected == nullptr ? 0u : 1u);
     if (one.expected == nullptr) continue;
@@ -289,7 +289,7 @@ TEST_F(States, TheComparisonOfFramesHearsThem) {
   run();
   const ExternalMemory memory({}, options().config.bus_w);
   const GoldenInput& input = simulation_.input;
-  const SequenceCheck::Expected frame = {&input, &simulation_.golden.pixels,
+  const SequenceCheck::Expected frame = {&input, &simulation_.golden,
                                          frame_areas(options().config, *input.packed, input.frame)};
   SequenceCheck good({frame}, memory, nullptr), wrong({frame}, memory, nullptr), sums({frame}, memory, nullptr);
   show(good, {});

@@ -121,7 +121,7 @@ module ru_live #(
         if (clear_q) begin
           for (int unsigned region = 0; region < Regions; region += 1) begin
             of_slots[region/Units] |= own_i[region] &&
-                (unseen_i[region/MaskW/Squares] ||
+                ((pipegs_pkg::Eyes > 1 && unseen_i[region/MaskW/Squares]) ||
                  rows_out[4*(region/MaskW%Squares/PartsX*PartSide + region%MaskW/PartSide) + r] ||
                  columns_out[4*(region/MaskW%PartsX*PartSide + region%MaskW%PartSide) + (g+2*r)%4]);
           end
