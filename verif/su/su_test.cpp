@@ -199,7 +199,8 @@ TEST(Su, TellsWhatItWaitsFor) {
 
 TEST(Su, CollectsLayersWhileTheOutputIsBlockedAsLongAsThePoolHasRoom) {
   SuBench bench(Pace::kAlways, Pace::kAlways, false);
-  const size_t records = kConfig.records, count = records / 4 + 1;  // the fourth layer does not fit beside three others
+  // The fourth layer does not fit beside three others, three splats of which have left their slots.
+  const size_t records = kConfig.records, count = (records + 3) / 4 + 1;
   for (int i = 0; i < 6; ++i) bench.layer(Arrangement::kRandom, count, kLayerEnd);
   bench.blocked = true;
   for (size_t i = 0; i < 20 * records + 1000; ++i) bench.step();
