@@ -65,9 +65,12 @@ else
 fi
 # Modules that the default configuration has not: a machine that has them.
 declare -A machine_of=([pu_compensate]="antialias=1" [pu_decode]="record=48" [pu_color_codes]="record=48"
-  [dopu_lod]="late=1 order=2 lod=1")
+  [dopu_lod]="late=1 order=2 lod=1" [pu_eyes]="late=1 order=2 window=128 quads=1 pixel_w=32 eyes=2")
 for module in project orient jacobian factors squares covariance conic extent coeff; do
   machine_of[pu_four_$module]="pace=4"
+done
+for module in ru_aovs ru_aov_lines ru_linear; do
+  machine_of[$module]="late=1 order=2 quads=1 pixel_w=32 aov_coverage=1 aov_depth=1 aov_median=1 aov_index=1"
 done
 of() { local module; for module in "${@:2}"; do machine_of[$module]=${point[$1]}; done; }
 of late pu_late ru_rows

@@ -9,7 +9,7 @@
 
 /* Integer bits of the fields, the sign included; the rest of a width is fraction. */
 enum { ROTATION_BITS = 2, FOCAL_BITS = 14, CENTER_BITS = 16, GUARD_BITS = 4, SPREAD_MANTISSA = 8 };
-enum { WINDOW_W = 10, LIST_WINDOW_W = 12, TILE_LIST_WINDOW_W = 14, LIST_GAP = 132, TILE = 16 };
+enum { WINDOW_W = 10, LIST_WINDOW_W = 12, TILE_LIST_WINDOW_W = 14, LIST_GAP = 132, TILE = 16, SQUARE = 64 };
 /* Of the overflow area, in lines of 64 bytes: the least that a part of it is made for, and 1 GiB. */
 enum { AREA_LEAST = 64, GIBIBYTE = 1 << 24 };
 enum { ROTATION_F = 60 }; /* fraction of what the quaternion is computed from */
@@ -407,6 +407,6 @@ enum pipegs_setup pipegs_setup_job(const struct pipegs_configuration *config, co
     frame->raster_eyes = 1;
     frame->raster_eye_lines = pipegs_pixels_size(config, camera);
   }
-  frame->walk_most = config->order == 2 && config->parts > 1 ? PIPEGS_WALK_MOST : 0;
+  frame->walk_most = config->order == 2 && config->window > SQUARE ? PIPEGS_WALK_MOST : 0;
   return set_tables(config, scene, memory, config->eyes * pipegs_pixels_size(config, camera), job);
 }

@@ -80,7 +80,7 @@ TEST_F(ConfigCommand, OneEntryInFull) {
   for (const char* name : {"parts", "regions", "mask_w"})
     EXPECT_NE(std::find(moves.begin(), moves.end(), name), moves.end()) << name;
   EXPECT_EQ(std::find(moves.begin(), moves.end(), "alpha_max"), moves.end());
-  EXPECT_EQ(json("config parts")["follows_from"], Json({"window"}));
+  EXPECT_EQ(json("config parts")["follows_from"], Json({"window", "eyes"}));
   EXPECT_EQ(json("config Window"), window) << "the name in SystemVerilog";
   const Outcome outcome = run("config window");
   for (const char* part : {"16 to 128", "pixel", "side of a window", "gscore 16", "pipegs_pkg::Window", "128 in fast"})
