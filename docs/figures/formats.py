@@ -29,8 +29,8 @@ def percent(share, digits=0):
 
 @dashed
 def change(share, digits=1):
-    """0.125 -> +12.5 %"""
-    return f"{100 * share:+.{digits}f} %"
+    """0.125 -> +12.5 %; what rounds to nothing -> +0.0 %"""
+    return f"{round(100 * share, digits) + 0.0:+.{digits}f} %"
 
 
 @dashed
