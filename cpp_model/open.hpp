@@ -37,25 +37,30 @@ inline Closed closed_of(const Config& c, const RegionSet& closed, uint64_t walk)
   return {count(left), count(right), count(top), count(bottom)};
 }
 
-// What is said of a walk: is read, or written.
+// Calls `visit` with what is said of a walk, a Closed or an EyeClosed.
+template <class O, class Visit>
+void visit_closed(const Config& c, O& open, uint64_t walk, Visit&& visit) {
+  const int eye = walk_eye(c, walk);
+  if (!walk_by_square(c, walk))
+    return eye == kAllEyes ? visit(open.whole) : eye == 0 ? visit(open.eye_0) : visit(open.eye_1);
+  switch (walk_part(c, walk)) {
+    case 0: return visit(open.part_0);
+    case 1: return visit(open.part_1);
+    case 2: return visit(open.part_2);
+    case 3: return visit(open.part_3);
+    case 4: return visit(open.part_4);
+    case 5: return visit(open.part_5);
+    case 6: return visit(open.part_6);
+    default: return visit(open.part_7);
+  }
+}
 inline Closed walk_closed(const Config& c, const Open& open, uint64_t walk) {
-  const auto of = [](const EyeClosed& one) { return Closed{one.left, one.right, one.top, one.bottom}; };
-  const Closed firsts[] = {open.part_0, open.part_1, open.part_2, open.part_3};
-  const EyeClosed seconds[] = {open.part_4, open.part_5, open.part_6, open.part_7};
-  const uint64_t part = walk_part(c, walk);
-  if (walk_by_square(c, walk)) return part < 4 ? firsts[part] : of(seconds[part - 4]);
-  if (walk_eye(c, walk) == kAllEyes) return open.whole;
-  return of(walk_eye(c, walk) == 0 ? open.eye_0 : open.eye_1);
+  Closed closed;
+  visit_closed(c, open, walk, [&](const auto& one) { closed = {one.left, one.right, one.top, one.bottom}; });
+  return closed;
 }
 inline void close_walk(const Config& c, Open& open, uint64_t walk, const Closed& closed) {
-  const EyeClosed one{closed.left, closed.right, closed.top, closed.bottom};
-  Closed* const firsts[] = {&open.part_0, &open.part_1, &open.part_2, &open.part_3};
-  EyeClosed* const seconds[] = {&open.part_4, &open.part_5, &open.part_6, &open.part_7};
-  const uint64_t part = walk_part(c, walk);
-  if (walk_by_square(c, walk) && part < 4) *firsts[part] = closed;
-  else if (walk_by_square(c, walk)) *seconds[part - 4] = one;
-  else if (walk_eye(c, walk) == kAllEyes) open.whole = closed;
-  else (walk_eye(c, walk) == 0 ? open.eye_0 : open.eye_1) = one;
+  visit_closed(c, open, walk, [&](auto& one) { one = {closed.left, closed.right, closed.top, closed.bottom}; });
 }
 
 // What pipegs_open makes of a window that all RUs are in.

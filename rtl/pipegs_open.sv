@@ -3,7 +3,8 @@
 //
 // Paper   Sec. 4.2.3 stops work in opaque regions; here it is not begun either (Occlusion).
 // Idea    A column or row of regions that are all closed needs nothing more. Of the whole window, and of each part
-//         and each eye alone, the closed ones are counted from each side to the first with an open region. Nothing is known while
+//         and each eye alone, the closed ones are counted from each side to the first with an open region. Nothing is
+//         known while
 //         the RUs are in different windows; where no region is open at all, 0 is said: the walk ends by itself then.
 //         Within a window the RUs only close regions, so the rectangle only shrinks, and an old one holds the new one.
 // Stream  progress_i of each cycle -> open_o in the next one.

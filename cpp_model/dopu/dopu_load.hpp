@@ -6,7 +6,8 @@
 //         whole window opens no group before all of them have come. Each one that passes counts, with as many Gaussians
 //         to a chunk as it has room for, in every bucket of depth from its nearest to its farthest corner. If a bucket
 //         holds more than walk_most, which the host sets, or there are more groups than half of the places in which
-//         nodes wait, the walk is given up, and the window goes by parts. Where both eyes are wanted each Gaussian gives
+//         nodes wait, the walk is given up, and the window goes by parts. Where both eyes are wanted each Gaussian
+//         gives
 //         two records: if a bucket holds more than half of walk_most the window goes eye by eye. Any answer gives the
 //         same pixels; a wrong one costs nodes that are read again, or a set that spills.
 // Rule    A function of scene, camera and walk_most alone, so the streams are, too.

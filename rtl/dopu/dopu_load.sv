@@ -10,8 +10,8 @@
 //         both eyes together, which make two records of a Gaussian, one with more than half of most_i. The rule stands
 //         here alone: whatever is judged gives the same pixels.
 // Stream  judges_o: there are trials at all. group: one that passes; counted_i: all of the window have come, none in
-//         the same cycle or the one before. judged_o ends the trial: split_o, it is given up, parts_o, for each part alone
-//         and not for each eye; the next one begins with a group.
+//         the same cycle or the one before. judged_o ends the trial: split_o, it is given up, parts_o, for each part
+//         alone and not for each eye; the next one begins with a group.
 // Pace    A group per cycle; judged at once where all together is not too much, else after up to Words + 4 cycles.
 // Model   cpp_model/dopu/dopu_load.hpp
 

@@ -5,7 +5,8 @@
 // Idea    The corner of the box farthest along a plane's normal decides: three products, one more for reach * scale.
 //         Corners, scale and near distance share one block exponent; what flooring takes away is given back as a
 //         constant Slack. The box is that of the means or, with TightBoxes, that of the ellipsoids (dopu_hull). Eyes
-//         that stand apart move the side planes out, each by a scale's reach; planes of one eye's walk move to its side.
+//         that stand apart move the side planes out, each by a scale's reach; planes of one eye's walk move to its
+//         side.
 // Stream  node: a node, the set of planes to use (each side plane may become a tighter one while the node is inside), a
 //         tag. result: node, tag, pass; it has no ready: the caller asks only for what it can take.
 //         nearest (with watermarks, else 0): in units of 2^(exponent - 18) world units no Gaussian of the node is

@@ -450,7 +450,8 @@ mutant dopu_windows "a walk is done when the other eye's regions are" "s/(\[2\*W
        dopu_nearest_eyes
 mutant pipegs_dopu "an eye's walk has the planes of both" 's/!pair \|\| set_place\[s.*/!pair;/' dopu_nearest_eyes
 mutant pipegs_closed "what is closed of the other eye" "s/(5'b10000: walk = open_i.eye_)0/\11/" dopu_nearest_eyes
-mutant pipegs_open "an eye's regions count for the first one" 's/eye_rows\[p\/Squares\*SideX/eye_rows[0*SideX/' open_eyes
+mutant pipegs_open "an eye's regions count for the first one" \
+       's/eye_rows\[p\/Squares\*SideX/eye_rows[0*SideX/' open_eyes
 mutant pu_eyes "a walk of one eye shows both" 's/one \? \{eye, !eye\} : wanted_i/wanted_i/' pu_eyes_walks
 mutant dopu_origin "the unit of view space leaves no room for the eyes" "s/(own > eyes \? own : eyes\)) \+ 1'b1/\1/" \
        dopu_nearest_eyes
@@ -727,7 +728,8 @@ mutant pu_parts "a mean keeps its place in the second row of parts" \
 mutant pu_parts "the second row begins with its second part" 's/last_column \? from_x_q : /last_column ? to_x_q : /'
 mutant pu_parts "the payload of a Gaussian without a part stays" \
        's/payload_take  = conic_ready_o && data/payload_take  = conic_ready_o \&\& data \&\& !none/'
-mutant ru_place "column and row of a square change places" 's/square_row, square_column, row/square_column, square_row, row/' \
+mutant ru_place "column and row of a square change places" \
+       's/square_row, square_column, row/square_column, square_row, row/' \
        ru_live_parts
 mutant pu_compensate "rounding: one is not added" "s/ \+ FallW'\(1\)//" pu_shape_open
 mutant pipegs_log2 "rounding: half becomes one" 's/<< \(DropF - 1\)/<< DropF/'

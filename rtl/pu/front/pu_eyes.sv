@@ -2,8 +2,8 @@
 // pu_eyes: each Gaussian once for each eye whose picture the frame makes (eyes = 2).
 //
 // Paper   None: it renders for headsets, but one picture at a time.
-// Idea    A Gaussian is fetched once and shown to pu_cull twice: the eyes differ in where view space begins, no more. In a
-//         walk of one eye it is shown once.
+// Idea    A Gaussian is fetched once and shown to pu_cull twice: the eyes differ in where view space begins, no more.
+//         In a walk of one eye it is shown once.
 // Stream  fetched in; the same out, with an eye beside it; what is no Gaussian passes once, as the first eye's.
 // Pace    One in a cycle, combinational: a Gaussian that both eyes see takes two.
 // Model   golden_window in cpp_model/golden.cpp

@@ -6,14 +6,15 @@
 //         and walked in that order, so that the first is the whole of the frame's first window, and behind a whole
 //         window or its last part comes the whole of the next one, row by row, up to the frame's last; behind a window
 //         that was given up its first part, behind that its next one, and behind the first eye's last one the second
-//         eye's first one; or, as was judged, the whole of it for the first eye and then for the second. Where there are trials each whole window has one,
+//         eye's first one; or, as was judged, the whole of it for the first eye and then for the second. Where there
+//         are trials each whole window has one,
 //         and nothing is filled before it is over. The last walk of the frame is marked, but for one on trial. A set is
 //         called done only if it was given up, or if every region of its own walk was done in the cycle before: never
 //         on account of a walk that it held earlier.
 //         With Occlusion planes of a set change only to those of its own walk, asked for with what pipegs_open said of
 //         that walk of that window, and not on trial.
-// Assumes An eye is wanted. Of dopu_planes the rule of free_planes; of the walk: a set is walked when it shows, released in turn when
-//         walked, not while it is on trial; a frame begins when no set is held, and stays.
+// Assumes An eye is wanted. Of dopu_planes the rule of free_planes; of the walk: a set is walked when it shows,
+//         released in turn when walked, not while it is on trial; a frame begins when no set is held, and stays.
 // Invariant  The sets held (walked or not) lie between the turns of release and of filling; what is filled next follows
 //         the set filled last.
 
@@ -119,7 +120,8 @@ always_comb begin
   for (int unsigned s = 0; s < 2; s += 1) begin
     planes_bit[s] = planes_o[s*PlanesW + 32'(bit_place)];
     region_now[s] =
-        (walk_at(place_q[s]) >= 3'd4 && 32'(walk_at(place_q[s])) != 32'd4 + 32'(region) / MaskW % pipegs_pkg::Squares) ||
+        (walk_at(place_q[s]) >= 3'd4 &&
+         32'(walk_at(place_q[s])) != 32'd4 + 32'(region) / MaskW % pipegs_pkg::Squares) ||
         (eye_at(place_q[s]) >= 2'd2 && 32'(eye_at(place_q[s])) != 32'd2 + 32'(region) / MaskW / pipegs_pkg::Squares);
     for (int unsigned u = 0; u < Units; u += 1) begin
       if (done_x_i[u*WindowW +: WindowW] == place_q[s][WindowW-1:0] &&
